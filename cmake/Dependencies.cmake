@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: MIT
+# Required: OpenSceneGraph, GLM, OpenEXR, nlohmann-json. Everything else is optional and reported by Summary.cmake.
+find_package(OpenSceneGraph 3.6.5 REQUIRED COMPONENTS osgViewer osgGA osgText osgDB osgUtil)
+find_package(OpenGL REQUIRED)
+find_package(glm REQUIRED)
+find_package(OpenEXR 3.1 REQUIRED CONFIG)
+find_package(nlohmann_json 3.11 REQUIRED CONFIG)
+
+find_package(OpenGL QUIET COMPONENTS EGL)
+find_package(CLI11 2.1 QUIET CONFIG)
+find_package(glfw3 3.3 QUIET CONFIG)
+find_package(embree 3 QUIET CONFIG)
+find_package(GTest QUIET CONFIG)
+find_package(benchmark QUIET CONFIG)
+find_program(GLSLANG_VALIDATOR glslangValidator)
+find_program(GNUPLOT gnuplot)
+find_program(CCACHE ccache)
+if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+# The host's libraries by a name that the installed package can define again (Install.cmake).
+add_library(osgEnvLight_OpenSceneGraph INTERFACE)
+target_include_directories(osgEnvLight_OpenSceneGraph SYSTEM INTERFACE ${OPENSCENEGRAPH_INCLUDE_DIRS})
+target_link_libraries(osgEnvLight_OpenSceneGraph INTERFACE ${OPENSCENEGRAPH_LIBRARIES} OpenGL::GL)

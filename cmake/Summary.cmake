@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: MIT
+# Says what is built and what was left out for want of which package.
+function(envlight_report what built package)
+    if(built)
+        message(STATUS "  ${what}: yes")
+    else()
+        message(STATUS "  ${what}: left out, needs ${package}")
+    endif()
+endfunction()
+message(STATUS "osgEnvLight ${PROJECT_VERSION}")
+message(STATUS "  nodekit, osgdb_exr, osgdb_envlight, serializers: yes")
+if(CLI11_FOUND AND OpenGL_EGL_FOUND)
+    set(render_built ON)
+endif()
+envlight_report("envlight-render" "${render_built}" "CLI11 and EGL (libcli11-dev, libegl-dev)")
+envlight_report("tests" "${GTest_FOUND}" "GoogleTest (libgtest-dev)")
+envlight_report("benchmarks" "${benchmark_FOUND}" "Google Benchmark (libbenchmark-dev)")
+envlight_report("shader validation in the tests" "${GLSLANG_VALIDATOR}" "glslangValidator (glslang-tools)")

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+// What each pass of a frame reads, and the state set that binds it.
+#include <osgEnvLight/AlbedoTable>
+#include <osgEnvLight/DeferredTechnique>
+
+#include <osg/Depth>
+#include <osg/PolygonMode>
+#include <osgUtil/CullVisitor>
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+const unsigned on = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
+const unsigned off = osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
+const int forwardTextureUnit = 8; // beyond the units that fixed-function state reaches
+
+} // namespace
+
+osg::StateSet& DeferredTechnique::gbufferState(Cull& c)
+{
+    ViewData::State state = c.view.state("gbuffer");
+    if (state.isNew)
+        GBufferCallback::setState(state.stateSet, _library->program("pass/surface.vert", "pass/gbuffer.frag"), c.view.viewport());
+    return state.stateSet;
+}
+
+osg::StateSet& DeferredTechnique::passState(Cull& c, const std::string& name, const PassInputs& inputs)
+{
+    std::string key = name + " " + std::to_string(inputs.lights);
+    for (const std::string& d : inputs.defines) key += " " + d;
+    ViewData::State state = c.view.state(key);
+    osg::StateSet& s = state.stateSet;
+    if (!state.isNew) return s;
+    s.setName("osgEnvLight " + key);
+    for (const std::string& d : inputs.defines) s.setDefine(d);
+    s.setAttribute(_library->program("pass/fullscreen.vert", "pass/" + name + ".frag"), on);
+    for (GLenum mode : {GL_BLEND, GL_CULL_FACE, GL_LIGHTING, GL_ALPHA_TEST}) s.setMode(mode, off);
+    s.setAttribute(new osg::PolygonMode, on);
+    const bool composite = name == "composite";
+    s.setAttributeAndModes(new osg::Depth(composite ? osg::Depth::LEQUAL : osg::Depth::ALWAYS, 0, 1, composite), composite ? on : off);
+    if (!composite) s.setAttribute(c.view.viewport());
+    std::vector<Sampler> all = {{"albedoMap", c.gbuffer.albedo.get()},
+                                {"normalMap", c.gbuffer.normal.get()},
+                                {"specularMap", c.gbuffer.specular.get()},
+                                {"depthMap", c.gbuffer.depth.get()}};
+    all.insert(all.end(), inputs.samplers.begin(), inputs.samplers.end());
+    for (size_t unit = 0; unit < all.size(); ++unit) {
+        s.setTextureAttribute(unsigned(unit), all[unit].texture, on);
+        s.addUniform(new osg::Uniform(all[unit].name, int(unit)), on);
+    }
+    return s;
+}
+
+osg::Texture* DeferredTechnique::albedoTable()
+{
+    if (!_albedoTable) {
+        _albedoTable = new osg::Texture2D(albedoTableImage());
+        _albedoTable->setInternalFormat(GL_RG32F);
+        _albedoTable->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR);
+        _albedoTable->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
+        _albedoTable->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
+        _albedoTable->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
+    }
+    return _albedoTable.get();
+}
+
+void DeferredTechnique::prepare(FullScreen& triangle, const Cull& c) const
+{
+    triangle.mapFromWorld = c.mapFromWorld;
+    triangle.timed = c.timed;
+}
+
+void DeferredTechnique::addPass(Cull& c, osgUtil::CullVisitor& cv, const std::string& name, Target& target, osg::StateSet& state)
+{
+    osg::ref_ptr<Pass>& pass = c.frame.passes[name];
+    if (!pass) pass = new Pass(name, &c.view.timer(name));
+    prepare(pass->triangle(), c);
+    pass->add(c.host, *target.camera, *c.view.viewport(), state, *c.frame.uniforms, cv.getProjectionMatrix(),
+              cv.getModelViewMatrix());
+}
+
+void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
+{
+    const Plan& plan = c.view.plan;
+    MapTextures& textures = c.view.textures();
+    const std::vector<GLint> half = {GL_RGBA16F_ARB};
+    // All targets first: a new one forgets the state sets that read its predecessor.
+    Target* diffuse = plan.diffuse ? &c.view.target("diffuse", half) : nullptr;
+    // A mirrored sun exceeds half floats in units of the map's mean.
+    Target* specular = plan.specular ? &c.view.target("specular", {GL_RGBA32F_ARB}) : nullptr;
+    Target* sums = plan.occlusion ? &c.view.target("occlusion", {GL_RGBA16F_ARB, GL_RGBA16F_ARB}) : nullptr;
+    Target* filtered = plan.occlusion ? &c.view.target("filter", half) : nullptr;
+    for (const Plan::Reason& r : plan.reasons)
+        if (!r.runs) c.view.dropTarget(r.pass);
+
+    if (diffuse) {
+        PassInputs in;
+        in.lights = plan.diffuseLights;
+        if (plan.diffuseLights)
+            in.samplers.push_back({"diffuseLightMap", textures.diffuseLights(plan.diffuseLights)});
+        else
+            in.defines.push_back("DIFFUSE_SH");
+        if (plan.surfaces.cookTorrance) {
+            in.defines.push_back("HAS_COOK_TORRANCE");
+            in.samplers.push_back({"albedoTable", albedoTable()});
+        }
+        osg::StateSet& state = passState(c, "diffuse", in);
+        if (!plan.diffuseLights) state.addUniform(textures.harmonics());
+        addPass(c, cv, "diffuse", *diffuse, state);
+    }
+    if (specular) {
+        PassInputs in;
+        in.samplers = {{"pyramidMap", textures.pyramid()}, {"latlongMap", textures.latlong()}};
+        if (plan.surfaces.phong) in.defines.push_back("HAS_PHONG");
+        if (plan.surfaces.cookTorrance) {
+            in.defines.push_back("HAS_COOK_TORRANCE");
+            in.samplers.push_back({"albedoTable", albedoTable()});
+        }
+        addPass(c, cv, "specular", *specular, passState(c, "specular", in));
+    }
+    if (sums) {
+        PassInputs in;
+        in.lights = plan.occlusionLights;
+        in.samplers = {{"occlusionLightMap", textures.occlusionLights(plan.occlusionLights)}};
+        addPass(c, cv, "occlusion", *sums, passState(c, "occlusion", in));
+        PassInputs filter;
+        if (c.settings.combine == Settings::SUBTRACT) filter.defines.push_back("COMBINE_SUBTRACT");
+        filter.samplers = {{"numMap", sums->textures[0].get()}, {"denMap", sums->textures[1].get()}};
+        addPass(c, cv, "filter", *filtered, passState(c, "filter", filter));
+    }
+}
+
+DeferredTechnique::PassInputs DeferredTechnique::compositeInputs(Cull& c)
+{
+    const Plan& plan = c.view.plan;
+    const Settings& s = c.settings;
+    MapTextures& textures = c.view.textures();
+    PassInputs in;
+    std::vector<std::string>& defines = in.defines;
+    std::vector<Sampler>& samplers = in.samplers;
+    samplers.push_back({"emissionMap", c.gbuffer.emission.get()});
+    auto addTerm = [&](bool has, const char* define, const char* name, const char* pass) {
+        if (!has) return;
+        defines.push_back(define);
+        samplers.push_back({name, c.view.target(pass, {}).textures[0].get()});
+    };
+    addTerm(plan.diffuse, "HAS_DIFFUSE", "diffuseTermMap", "diffuse");
+    addTerm(plan.specular, "HAS_SPECULAR", "specularTermMap", "specular");
+    addTerm(plan.occlusion, "HAS_OCCLUSION", "occlusionTermMap", "filter");
+    if (s.combine == Settings::SUBTRACT) defines.push_back("COMBINE_SUBTRACT");
+    if (s.output == Settings::LINEAR) defines.push_back("OUTPUT_LINEAR");
+    if (s.background != Settings::BACKGROUND_OFF) defines.push_back("BACKGROUND");
+    if (s.background == Settings::BACKGROUND_BLUR) {
+        defines.push_back("BACKGROUND_BLUR");
+        samplers.push_back({"pyramidMap", textures.pyramid()});
+    }
+    if (s.background == Settings::BACKGROUND_ON || s.view == Settings::LIGHT_LIST)
+        samplers.push_back({"latlongMap", textures.latlong()});
+    if (s.view != Settings::BEAUTY) defines.push_back("VIEW_TERM");
+    if (s.view == Settings::LIGHT_LIST) {
+        in.lights = unsigned(s.diffuseLights);
+        samplers.push_back({"diffuseLightMap", textures.diffuseLights(in.lights)});
+    }
+    return in;
+}
+
+void DeferredTechnique::addComposite(Cull& c, osgUtil::CullVisitor& cv)
+{
+    osg::StateSet& state = passState(c, "composite", compositeInputs(c));
+    if (!c.frame.composite) c.frame.composite = new FullScreen("composite", &c.view.timer("composite"));
+    prepare(*c.frame.composite, c);
+    cv.pushStateSet(&state);
+    cv.pushStateSet(c.frame.uniforms.get());
+    cv.addDrawable(c.frame.composite.get(), cv.getModelViewMatrix());
+    cv.popStateSet();
+    cv.popStateSet();
+}
+
+osg::StateSet& DeferredTechnique::forwardState(Cull& c)
+{
+    std::string key = c.settings.output == Settings::LINEAR ? "forward OUTPUT_LINEAR" : "forward";
+    ViewData::State base = c.view.state(key);
+    if (base.isNew) {
+        MapTextures& textures = c.view.textures();
+        osg::StateSet& s = base.stateSet;
+        if (c.settings.output == Settings::LINEAR) s.setDefine("OUTPUT_LINEAR");
+        s.setAttribute(_library->program("pass/surface.vert", "pass/forward.frag"),
+                       osg::StateAttribute::ON | osg::StateAttribute::PROTECTED);
+        s.addUniform(new osg::Uniform("baseColorMap", 0));
+        s.addUniform(textures.harmonics());
+        s.setTextureAttribute(forwardTextureUnit, textures.pyramid(), on);
+        s.addUniform(new osg::Uniform("pyramidMap", forwardTextureUnit));
+        s.setTextureAttribute(forwardTextureUnit + 1, albedoTable(), on);
+        s.addUniform(new osg::Uniform("albedoTable", forwardTextureUnit + 1));
+    }
+    // One state set a frame: the view's textures and program, the frame's own uniforms.
+    if (c.frame.forwardBase != &base.stateSet) {
+        c.frame.forwardState = new osg::StateSet(base.stateSet);
+        for (const auto& [name, uniform] : c.frame.uniforms->getUniformList()) c.frame.forwardState->addUniform(uniform.first);
+        c.frame.forwardBase = &base.stateSet;
+    }
+    return *c.frame.forwardState;
+}
+
+} // namespace osgEnvLight

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+#include <osgEnvLight/DeferredTechnique>
+
+#include <osgEnvLight/LitScene>
+
+#include <osg/FrameStamp>
+#include <osg/Notify>
+#include <osg/View>
+#include <osgUtil/CullVisitor>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+// A shadow map's pass and the like: the camera draws into textures, none of them colour.
+bool isDepthOnly(const osg::Camera* camera)
+{
+    if (!camera || camera->getBufferAttachmentMap().empty()) return false;
+    for (const auto& [component, attachment] : camera->getBufferAttachmentMap())
+        if (component >= osg::Camera::COLOR_BUFFER) return false;
+    return true;
+}
+
+bool isOrthographic(const osg::Matrixd& projection)
+{
+    return projection(2, 3) == 0.0;
+}
+
+} // namespace
+
+DeferredTechnique::DeferredTechnique()
+    : _sorter(new SurfaceSorter), _failure(new Failure), _settings(new Settings)
+{
+    _library = new ShaderLibrary(_failure.get());
+}
+
+bool DeferredTechnique::cull(LitScene& node, osgUtil::CullVisitor& cv)
+try {
+    osgUtil::RenderBin* hostBin = cv.getCurrentRenderBin();
+    osgUtil::RenderStage* host = hostBin ? hostBin->getStage() : nullptr;
+    if (!host || _failure->happened()) return false;
+    const osg::Viewport* viewport = host->getViewport();
+    if (!viewport || !(viewport->width() >= 1.0) || !(viewport->height() >= 1.0)) return false;
+    if (isDepthOnly(host->getCamera()) || dynamic_cast<const StageCamera*>(host->getCamera())) return false;
+
+    std::unique_lock<std::mutex> lock(_mutex);
+    const osg::ref_ptr<const Settings> settings = currentSettings(node);
+    const osg::ref_ptr<MapTextures> textures = currentTextures(node);
+    if (!textures) return false;
+    ViewData& vd = view(cv, *host);
+    vd.fit(int(viewport->width()), int(viewport->height()), textures.get());
+    GBuffer& gbuffer = node.getGBuffer() ? *node.getGBuffer() : vd.gbuffer();
+    const double degrees = node.getEnvironmentMap()->getRotation();
+    Cull c{vd,      vd.frame(&cv), *host, *settings,
+           gbuffer, osg::Matrixd::rotate(osg::DegreesToRadians(-degrees), 0, 0, 1), node.getTimed()};
+    const double radianceScale = textures->map().mean * node.getEnvironmentMap()->getIntensity();
+    const double radius = node.getBound().valid() ? double(node.getBound().radius()) : 0.0;
+    const osg::Matrixd worldFromEye =
+        host->getInitialViewMatrix() ? osg::Matrixd::inverse(*host->getInitialViewMatrix()) : osg::Matrixd();
+    c.frame.setUniforms(*settings, radius, radianceScale, *textures, worldFromEye * c.mapFromWorld,
+                        isOrthographic(*cv.getProjectionMatrix()));
+    lock.unlock();
+
+    std::vector<ForwardGraph> forward;
+    fillGBuffer(c, node, cv, forward);
+
+    lock.lock();
+    vd.plan = Plan::make(*settings, vd.plan.surfaces, radianceScale <= 0.0, radius);
+    addPasses(c, cv);
+    addComposite(c, cv);
+    for (const ForwardGraph& f : forward) f.bin->addStateGraph(f.graph);
+    _lastView = &vd;
+    return true;
+} catch (const std::runtime_error& error) {
+    _failure->report(error.what());
+    return false;
+}
+
+osg::ref_ptr<const Settings> DeferredTechnique::currentSettings(const LitScene& node)
+{
+    std::string error;
+    const Settings& wanted = *node.getSettings();
+    if (!wanted.valid(error)) {
+        reportOnce(error + "; the last valid settings stay in force");
+        return _settings;
+    }
+    for (const Settings::Property& p : Settings::table())
+        if (p.get(wanted) != p.get(*_settings)) {
+            _settings = new Settings(wanted); // another traversal may still read the former ones
+            break;
+        }
+    return _settings;
+}
+
+osg::ref_ptr<MapTextures> DeferredTechnique::currentTextures(const LitScene& node)
+{
+    std::string error;
+    const EnvironmentMap& map = *node.getEnvironmentMap();
+    if (!std::isfinite(map.getIntensity()) || map.getIntensity() < 0.0 || !std::isfinite(map.getRotation())) {
+        reportOnce("intensity and rotation of the environment map must be finite, intensity not negative; the scene is shown unlit");
+        return nullptr;
+    }
+    osg::ref_ptr<const RadianceMap> radiance = map.radiance(error);
+    if (!radiance) {
+        reportOnce(error + "; the scene is shown unlit");
+        return nullptr;
+    }
+    if (!_textures || &_textures->map() != radiance.get()) _textures = new MapTextures(radiance.get());
+    return _textures;
+}
+
+ViewData& DeferredTechnique::view(osgUtil::CullVisitor& cv, osgUtil::RenderStage& host)
+{
+    for (auto it = _views.begin(); it != _views.end();) {
+        const ViewData& v = *it->second;
+        const bool dead = !v.identifier.valid() || (v.hasCamera && !v.camera.valid());
+        it = dead ? _views.erase(it) : std::next(it);
+    }
+    osg::Referenced* identifier = cv.getIdentifier() ? static_cast<osg::Referenced*>(cv.getIdentifier()) : &cv;
+    const unsigned frame = cv.getFrameStamp() ? cv.getFrameStamp()->getFrameNumber() : 0;
+    for (auto it = _visits.begin(); it != _visits.end();) it = it->second.frame != frame ? _visits.erase(it) : std::next(it);
+    Visit& visit = _visits[{&cv, host.getCamera()}];
+    if (visit.frame != frame) visit = {frame, 0};
+    osg::ref_ptr<ViewData>& vd = _views[{identifier, host.getCamera(), visit.count++}];
+    if (!vd) {
+        vd = new ViewData(_failure.get());
+        vd->identifier = identifier;
+        vd->camera = host.getCamera();
+        vd->hasCamera = host.getCamera() != nullptr;
+    }
+    return *vd;
+}
+
+void DeferredTechnique::reportOnce(const std::string& message)
+{
+    if (_reported.insert(message).second) OSG_WARN << "osgEnvLight: " << message << std::endl;
+}
+
+void DeferredTechnique::fillGBuffer(Cull& c, LitScene& node, osgUtil::CullVisitor& cv, std::vector<ForwardGraph>& forward)
+{
+    if (node.getGBuffer()) {
+        node.osg::Group::traverse(cv);
+        c.view.plan.surfaces = {true, true, 1, 0};
+        return;
+    }
+    Frame& f = c.frame;
+    {
+        std::lock_guard<std::mutex> lock(_mutex);
+        osg::StateSet& state = gbufferState(c);
+        if (f.fillState != &state) {
+            f.fill = new GBufferCallback(&c.gbuffer, &state, _sorter.get());
+            f.fillState = &state;
+        }
+        if (!f.gbufferCamera || f.gbufferTimed != c.timed) {
+            f.gbufferCamera = new StageCamera;
+            f.gbufferTimed = c.timed;
+            BindTargets::install(*f.gbufferCamera, c.gbuffer.frameBuffer(), c.timed ? &c.view.timer("gbuffer") : nullptr,
+                                 _failure.get());
+        }
+    }
+    if (osg::Camera* camera = c.host.getCamera()) {
+        f.gbufferCamera->setView(camera->getView());
+        f.gbufferCamera->setCullMask(camera->getCullMask());
+    }
+    f.gbufferCamera->setProjectionMatrix(*cv.getProjectionMatrix());
+    f.gbufferCamera->setViewMatrix(c.host.getInitialViewMatrix() ? osg::Matrixd(*c.host.getInitialViewMatrix()) : osg::Matrixd());
+    f.gbufferCamera->setViewport(c.view.viewport());
+    prepareStage(*f.gbufferStage, c.host, *f.gbufferCamera, *c.view.viewport(), GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    // Light sources and clip planes below the node also reach what is drawn forward.
+    f.gbufferStage->setPositionalStateContainer(c.host.getPositionalStateContainer());
+
+    osgUtil::RenderBin* hostBin = cv.getCurrentRenderBin();
+    const SurfaceSorter::LitState lit = [&] {
+        std::lock_guard<std::mutex> lock(_mutex);
+        return &forwardState(c);
+    };
+    cv.pushViewport(c.view.viewport());
+    c.view.plan.surfaces = f.fill->fill(cv, *f.gbufferStage, hostBin, lit, forward, [&] {
+        cv.setCurrentRenderBin(f.gbufferStage.get());
+        node.osg::Group::traverse(cv);
+        cv.setCurrentRenderBin(hostBin);
+    });
+    cv.popViewport();
+    c.host.addPreRenderStage(f.gbufferStage.get(), 0);
+}
+
+void DeferredTechnique::reloadShaders()
+{
+    std::lock_guard<std::mutex> lock(_mutex);
+    _library->reload();
+    _failure->clear();
+    for (auto& [key, view] : _views) view->forgetPrograms();
+}
+
+unsigned DeferredTechnique::numViews() const
+{
+    std::lock_guard<std::mutex> lock(_mutex);
+    return unsigned(_views.size());
+}
+
+Plan DeferredTechnique::plan() const
+{
+    std::lock_guard<std::mutex> lock(_mutex);
+    osg::ref_ptr<ViewData> view;
+    return _lastView.lock(view) ? view->plan : Plan();
+}
+
+std::vector<DeferredTechnique::PassTime> DeferredTechnique::passTimes() const
+{
+    std::lock_guard<std::mutex> lock(_mutex);
+    std::vector<PassTime> times;
+    osg::ref_ptr<ViewData> view;
+    if (!_lastView.lock(view)) return times;
+    for (const Plan::Reason& r : view->plan.reasons) {
+        auto timer = view->timers().find(r.pass);
+        if (r.runs && timer != view->timers().end() && timer->second->cpu() >= 0.0)
+            times.push_back({r.pass, timer->second->gpu(), timer->second->cpu()});
+    }
+    return times;
+}
+
+size_t DeferredTechnique::bytes() const
+{
+    std::lock_guard<std::mutex> lock(_mutex);
+    size_t sum = _textures ? _textures->bytes() : 0;
+    for (const auto& [key, view] : _views) sum += view->bytes();
+    return sum;
+}
+
+void DeferredTechnique::resizeGLObjectBuffers(unsigned maximum)
+{
+    std::lock_guard<std::mutex> lock(_mutex);
+    for (auto& [key, view] : _views) view->resizeGLObjectBuffers(maximum);
+}
+
+void DeferredTechnique::releaseGLObjects(osg::State* state) const
+{
+    std::lock_guard<std::mutex> lock(_mutex);
+    for (const auto& [key, view] : _views) view->releaseGLObjects(state);
+}
+
+} // namespace osgEnvLight

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include <osgEnvLight/LitScene>
+
+#include <osgGA/EventVisitor>
+#include <osgUtil/CullVisitor>
+#include <osgViewer/View>
+
+namespace osgEnvLight
+{
+
+LitScene::LitScene() : LitScene(static_cast<osg::Image*>(nullptr)) {}
+
+LitScene::LitScene(osg::Image* image)
+    : _map(new EnvironmentMap(image)), _settings(new Settings), _technique(new DeferredTechnique)
+{
+    setCullingActive(false); // the background shows where the bound does not
+    setNumChildrenRequiringEventTraversal(getNumChildrenRequiringEventTraversal() + 1);
+}
+
+LitScene::LitScene(const LitScene& other, const osg::CopyOp& copyop)
+    : osg::Group(other, copyop),
+      _map(new EnvironmentMap(*other._map, copyop)),
+      _settings(new Settings(*other._settings, copyop)),
+      _technique(new DeferredTechnique),
+      _homeView(other._homeView),
+      _timed(other._timed)
+{
+    setCullingActive(false);
+    setNumChildrenRequiringEventTraversal(getNumChildrenRequiringEventTraversal() + 1);
+}
+
+LitScene::~LitScene() = default;
+
+void LitScene::setEnvironmentMap(EnvironmentMap* map)
+{
+    _map = map ? map : new EnvironmentMap;
+}
+
+void LitScene::setSettings(Settings* settings)
+{
+    _settings = settings ? settings : new Settings;
+}
+
+void LitScene::traverse(osg::NodeVisitor& nv)
+{
+    if (nv.getVisitorType() == osg::NodeVisitor::CULL_VISITOR) {
+        osgUtil::CullVisitor* cv = nv.asCullVisitor();
+        if (cv && _technique->cull(*this, *cv)) return;
+    }
+    if (nv.getVisitorType() == osg::NodeVisitor::EVENT_VISITOR && nv.asEventVisitor()) {
+        if (_homeView && !_homeGiven) goHome(*nv.asEventVisitor());
+        handleEvents(*nv.asEventVisitor());
+    }
+    osg::Group::traverse(nv);
+}
+
+void LitScene::goHome(osgGA::EventVisitor& ev)
+{
+    auto* view = dynamic_cast<osgViewer::View*>(ev.getActionAdapter());
+    if (!view || !view->getCameraManipulator()) return;
+    _homeGiven = true;
+    double fovy, aspect, near, far;
+    if (view->getCamera()->getProjectionMatrixAsPerspective(fovy, aspect, near, far))
+        view->getCamera()->setProjectionMatrixAsPerspective(_homeView->fovy, aspect, near, far);
+    view->getCameraManipulator()->setHomePosition(_homeView->eye, _homeView->target, _homeView->up);
+    view->getCameraManipulator()->home(0.0);
+}
+
+void LitScene::handleEvents(osgGA::EventVisitor& ev)
+{
+    for (const auto& event : ev.getEvents()) {
+        const osgGA::GUIEventAdapter* ea = event->asGUIEventAdapter();
+        if (!ea || ea->getHandled() || ea->getEventType() != osgGA::GUIEventAdapter::KEYDOWN) continue;
+        if (ea->getKey() == 'V')
+            _settings->view = (_settings->view + 1) % Settings::NUM_VIEWS;
+        else if (ea->getKey() == 'R')
+            reloadShaders();
+        else
+            continue;
+        ea->setHandled(true);
+    }
+}
+
+void LitScene::resizeGLObjectBuffers(unsigned maximum)
+{
+    osg::Group::resizeGLObjectBuffers(maximum);
+    _technique->resizeGLObjectBuffers(maximum);
+}
+
+void LitScene::releaseGLObjects(osg::State* state) const
+{
+    osg::Group::releaseGLObjects(state);
+    _technique->releaseGLObjects(state);
+}
+
+} // namespace osgEnvLight

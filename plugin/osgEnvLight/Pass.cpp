@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include <osgEnvLight/Pass>
+
+#include <osg/GLExtensions>
+#include <osg/Program>
+#include <osg/Viewport>
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+// Uploads to the program in use; names that it lacks are skipped.
+class Uploader
+{
+  public:
+    Uploader(const osg::Program::PerContextProgram& program, const osg::GLExtensions& ext) : _program(program), _ext(ext) {}
+
+    void matrix4(const char* name, const osg::Matrixd& m) const
+    {
+        const osg::Matrixf f(m);
+        if (const GLint l = location(name); l >= 0) _ext.glUniformMatrix4fv(l, 1, GL_FALSE, f.ptr());
+    }
+
+    // Rotation only. OSG multiplies row vectors, so its rows are GLSL's columns.
+    void matrix3(const char* name, const osg::Matrixd& m) const
+    {
+        float f[9];
+        for (int i = 0; i < 3; ++i) {
+            osg::Vec3d row(m(i, 0), m(i, 1), m(i, 2));
+            row.normalize();
+            for (int j = 0; j < 3; ++j) f[3 * i + j] = float(row[j]);
+        }
+        if (const GLint l = location(name); l >= 0) _ext.glUniformMatrix3fv(l, 1, GL_FALSE, f);
+    }
+
+    void vec2(const char* name, double x, double y) const
+    {
+        if (const GLint l = location(name); l >= 0) _ext.glUniform2f(l, float(x), float(y));
+    }
+
+  private:
+    GLint location(const char* name) const { return _program.getUniformLocation(name); }
+
+    const osg::Program::PerContextProgram& _program;
+    const osg::GLExtensions& _ext;
+};
+
+} // namespace
+
+FullScreen::FullScreen(const std::string& name, GpuTimer* timer) : _timer(timer)
+{
+    setName(name);
+    osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
+    vertices->push_back(osg::Vec3(-1, -1, 0));
+    vertices->push_back(osg::Vec3(3, -1, 0));
+    vertices->push_back(osg::Vec3(-1, 3, 0));
+    setVertexArray(vertices.get());
+    addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, 3));
+    setUseDisplayList(false);
+    setUseVertexBufferObjects(true);
+    setCullingActive(false);
+}
+
+void FullScreen::drawImplementation(osg::RenderInfo& renderInfo) const
+{
+    osg::State& state = *renderInfo.getState();
+    const osg::Program::PerContextProgram* program = state.getLastAppliedProgramObject();
+    if (!program) return; // it has reported why
+    const Uploader upload(*program, *state.get<osg::GLExtensions>());
+    const osg::Matrixd projection(state.getProjectionMatrix());
+    const osg::Matrixd eyeToWorld = osg::Matrixd::inverse(state.getInitialViewMatrix());
+    const auto* viewport = static_cast<const osg::Viewport*>(state.getLastAppliedAttribute(osg::StateAttribute::VIEWPORT));
+    upload.matrix4("projection", projection);
+    upload.matrix4("inverseProjection", osg::Matrixd::inverse(projection));
+    upload.matrix3("mapFromEye", eyeToWorld * mapFromWorld);
+    upload.vec2("viewportSize", viewport->width(), viewport->height());
+    upload.vec2("viewportOrigin", viewport->x(), viewport->y());
+    if (timed) _timer->begin(state);
+    osg::Geometry::drawImplementation(renderInfo);
+    if (timed) _timer->end(state);
+}
+
+void prepareStage(osgUtil::RenderStage& stage, osgUtil::RenderStage& host, osg::Camera& camera, osg::Viewport& viewport,
+                  GLbitfield clearMask)
+{
+    stage.setPositionalStateContainer(nullptr); // reset() would empty it, and below it may be the host's
+    stage.reset();
+    stage.setCamera(&camera);
+    stage.setViewport(&viewport);
+    // State caches one draw buffer for all frame buffers, so none is set here.
+    stage.setDrawBuffer(GL_NONE, false);
+    stage.setReadBuffer(GL_NONE, false);
+    stage.setClearMask(clearMask);
+    stage.setClearColor(osg::Vec4(0, 0, 0, 0));
+    stage.setClearDepth(1.0);
+    stage.setColorMask(nullptr);
+    stage.setInitialViewMatrix(host.getInitialViewMatrix());
+}
+
+Pass::Pass(const std::string& name, GpuTimer* timer)
+    : _stage(new osgUtil::RenderStage), _root(new osgUtil::StateGraph), _triangle(new FullScreen(name, timer))
+{
+    _stage->setStateGraph(_root.get());
+}
+
+void Pass::add(osgUtil::RenderStage& host, osg::Camera& camera, osg::Viewport& viewport, osg::StateSet& state,
+               osg::StateSet& uniforms, osg::RefMatrix* projection, osg::RefMatrix* modelView)
+{
+    prepareStage(*_stage, host, camera, viewport, 0);
+    _root->clean();
+    osgUtil::StateGraph* graph = _root->find_or_insert(&state)->find_or_insert(&uniforms);
+    if (!_leaf)
+        _leaf = new osgUtil::RenderLeaf(_triangle.get(), projection, modelView);
+    else
+        _leaf->set(_triangle.get(), projection, modelView);
+    _stage->addStateGraph(graph);
+    graph->addLeaf(_leaf.get());
+    host.addPreRenderStage(_stage.get(), 0); // equal numbers keep the order of insertion
+}
+
+} // namespace osgEnvLight

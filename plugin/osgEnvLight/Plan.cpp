@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include <osgEnvLight/Plan>
+
+#include <sstream>
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+// Runs unless one of the conditions, asked in order, forbids it.
+struct Decision {
+    bool runs = true;
+    std::string reason;
+
+    Decision& unless(bool condition, const char* why)
+    {
+        if (condition && runs) {
+            runs = false;
+            reason = why;
+        }
+        return *this;
+    }
+};
+
+std::string count(unsigned n, const char* what)
+{
+    return std::to_string(n) + " " + what;
+}
+
+} // namespace
+
+Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack, double sceneRadius)
+{
+    Plan plan;
+    plan.surfaces = surfaces;
+    const bool empty = surfaces.deferred == 0;
+
+    Decision diffuse;
+    diffuse.unless(!s.diffuse, "switched off").unless(mapIsBlack, "the map is black").unless(empty, "nothing to light");
+    plan.diffuse = diffuse.runs;
+    plan.diffuseLights = diffuse.runs && s.diffuseCarrier == Settings::LIGHTS ? unsigned(s.diffuseLights) : 0;
+    if (diffuse.runs)
+        diffuse.reason = plan.diffuseLights ? count(plan.diffuseLights, "lights") : "18 spherical harmonics";
+
+    Decision specular;
+    specular.unless(!s.specular, "switched off").unless(mapIsBlack, "the map is black").unless(empty, "nothing to light");
+    specular.unless(!surfaces.phong && !surfaces.cookTorrance, "no glossy surface in view");
+    plan.specular = specular.runs;
+    if (specular.runs) specular.reason = count(unsigned(s.specularSamples), "samples a pixel");
+
+    Decision occlusion;
+    occlusion.unless(!s.occlusion, "switched off").unless(!diffuse.runs, "there is no diffuse term to occlude");
+    occlusion.unless(s.occlusionRadius <= 0.0f, "occlusionRadius is 0").unless(!(sceneRadius > 0.0), "the scene has no extent");
+    plan.occlusion = occlusion.runs;
+    if (occlusion.runs) {
+        plan.occlusionLights = (unsigned(s.occlusionLights) + 15) / 16 * 16;
+        occlusion.reason = count(plan.occlusionLights, "lights, ") + count(plan.occlusionLights / 16, "a pixel, ") +
+                           count(unsigned(s.occlusionSteps), "points a ray");
+        if (plan.occlusionLights != unsigned(s.occlusionLights)) occlusion.reason += " (rounded up to a multiple of 16)";
+    }
+
+    plan.reasons = {{"gbuffer", true, count(surfaces.deferred, "drawables, ") + count(surfaces.forward, "drawn forward")},
+                    {"diffuse", diffuse.runs, diffuse.reason},
+                    {"specular", specular.runs, specular.reason},
+                    {"occlusion", occlusion.runs, occlusion.reason},
+                    {"filter", occlusion.runs, occlusion.runs ? "averages the 16 groups of lights" : occlusion.reason},
+                    {"composite", true, "into the host's colour and depth"}};
+    return plan;
+}
+
+std::string Plan::explain() const
+{
+    std::ostringstream out;
+    for (const Reason& r : reasons) out << r.pass << ": " << (r.runs ? "" : "off, ") << r.reason << "\n";
+    return out.str();
+}
+
+} // namespace osgEnvLight

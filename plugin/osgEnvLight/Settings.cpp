@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include <osgEnvLight/Settings>
+
+#include <charconv>
+#include <cmath>
+#include <locale>
+#include <sstream>
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+std::string numberText(double value)
+{
+    std::ostringstream out;
+    out.imbue(std::locale::classic());
+    out.precision(9);
+    out << value;
+    return out.str();
+}
+
+bool isInteger(const Settings::Property& p)
+{
+    return !std::holds_alternative<float Settings::*>(p.member);
+}
+
+bool inRange(const Settings::Property& p, double value)
+{
+    return value >= p.minimum && value <= p.maximum && (!isInteger(p) || value == std::floor(value));
+}
+
+std::string rangeError(const Settings::Property& p, const std::string& found)
+{
+    return std::string("setting '") + p.name + "' is " + found + ", expected " + p.range();
+}
+
+// The value that text stands for, or NaN.
+double parse(const Settings::Property& p, const std::string& text)
+{
+    if (std::holds_alternative<bool Settings::*>(p.member))
+        return text == "on" ? 1.0 : text == "off" ? 0.0 : std::nan("");
+    for (size_t i = 0; i < p.choices.size(); ++i)
+        if (text == p.choices[i]) return double(i);
+    double value = 0.0;
+    auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+    bool number = p.choices.empty() && status == std::errc() && end == text.data() + text.size();
+    return number ? value : std::nan("");
+}
+
+Settings::Property onOff(const char* name, bool Settings::*member, const char* description)
+{
+    return {name, member, 0, 1, "", description, {}};
+}
+
+Settings::Property number(const char* name, int Settings::*member, int low, int high, const char* unit,
+                          const char* description)
+{
+    return {name, member, double(low), double(high), unit, description, {}};
+}
+
+Settings::Property real(const char* name, float Settings::*member, double low, double high, const char* unit,
+                        const char* description)
+{
+    return {name, member, low, high, unit, description, {}};
+}
+
+Settings::Property choice(const char* name, int Settings::*member, std::vector<const char*> choices,
+                          const char* description)
+{
+    return {name, member, 0, double(choices.size() - 1), "", description, choices};
+}
+
+} // namespace
+
+Settings::Settings(const Settings& other, const osg::CopyOp& copyop) : osg::Object(other, copyop)
+{
+    for (const Property& p : table()) p.put(*this, p.get(other));
+}
+
+const std::vector<Settings::Property>& Settings::table()
+{
+    using S = Settings;
+    static const std::vector<Property> properties = {
+        onOff("diffuse", &S::diffuse, "the term D: diffuse reflection of the map"),
+        onOff("specular", &S::specular, "the term S: glossy reflection of the map"),
+        onOff("occlusion", &S::occlusion, "the term O: what the scene itself keeps from D"),
+        choice("diffuseCarrier", &S::diffuseCarrier, {"sh", "lights"},
+               "what D sums: 18 spherical harmonics of the map, or diffuseLights of its lights"),
+        number("diffuseLights", &S::diffuseLights, 1, 65536, "lights", "importance-sampled lights of the map for D"),
+        number("specularSamples", &S::specularSamples, 1, 1024, "samples per pixel", "directions sampled from the BRDF for S"),
+        number("occlusionLights", &S::occlusionLights, 16, 65536, "lights",
+               "lights whose visibility O tests, a sixteenth of them in each pixel; rounded up to a multiple of 16"),
+        number("occlusionSteps", &S::occlusionSteps, 1, 256, "points per ray", "points at which a ray is compared with the depth buffer"),
+        real("occlusionRadius", &S::occlusionRadius, 0, 100, "radii of the scene", "length of the rays; 0 switches O off"),
+        real("occlusionThickness", &S::occlusionThickness, 0, 1000, "ray lengths",
+             "how deep a surface seen in the depth buffer is taken to be"),
+        number("filterCells", &S::filterCells, 1, 8, "cells of 4 pixels", "width of the filter that averages the groups of lights"),
+        choice("combine", &S::combine, {"ratio", "subtract"},
+               "D - O as D times the filtered visibility, or as the printed subtraction of two light lists"),
+        choice("background", &S::background, {"off", "on", "blur"}, "the map behind the scene"),
+        real("backgroundBlur", &S::backgroundBlur, 0, 90, "degrees", "width of the blur of background = blur"),
+        choice("view", &S::view,
+               {"beauty", "diffuse", "specular", "occlusion", "visibility", "albedo", "normal", "depth", "emission", "lights"},
+               "the picture, or one of its intermediates"),
+        choice("output", &S::output, {"display", "linear"},
+               "what the host receives: exposed, tone mapped and encoded for a display, or scene-linear radiance"),
+        real("exposure", &S::exposure, -32, 32, "stops", "radiance is multiplied by 2 to this power before the tone curve"),
+        choice("toneCurve", &S::toneCurve, {"clip", "reinhard", "neutral"},
+               "from radiance to the display's range: none, Reinhard 2002, Khronos PBR Neutral"),
+        onOff("dither", &S::dither, "ordered dither of half an 8-bit step against bands"),
+    };
+    return properties;
+}
+
+const Settings::Property* Settings::find(const std::string& name)
+{
+    for (const Property& p : table())
+        if (name == p.name) return &p;
+    return nullptr;
+}
+
+double Settings::Property::get(const Settings& settings) const
+{
+    return std::visit([&](auto m) { return double(settings.*m); }, member);
+}
+
+void Settings::Property::put(Settings& settings, double value) const
+{
+    std::visit([&](auto m) { settings.*m = static_cast<std::decay_t<decltype(settings.*m)>>(value); }, member);
+}
+
+std::string Settings::Property::getString(const Settings& settings) const
+{
+    double value = get(settings);
+    if (std::holds_alternative<bool Settings::*>(member)) return value != 0.0 ? "on" : "off";
+    if (!choices.empty() && inRange(*this, value)) return choices[size_t(value)];
+    return numberText(value);
+}
+
+std::string Settings::Property::range() const
+{
+    if (std::holds_alternative<bool Settings::*>(member)) return "on | off";
+    std::string text;
+    for (const char* c : choices) text += (text.empty() ? "" : " | ") + std::string(c);
+    if (!text.empty()) return text;
+    return (isInteger(*this) ? "a whole number in " : "a number in ") + numberText(minimum) + ".." + numberText(maximum) +
+           (*unit ? std::string(" ") + unit : std::string());
+}
+
+bool Settings::set(const std::string& name, const std::string& value, std::string& error)
+{
+    const Property* p = find(name);
+    if (p) {
+        double x = parse(*p, value);
+        if (inRange(*p, x)) {
+            p->put(*this, x);
+            return true;
+        }
+        error = rangeError(*p, "'" + value + "'");
+        return false;
+    }
+    error = "no setting is named '" + name + "'; there are";
+    for (const Property& known : table()) error += std::string(" ") + known.name;
+    return false;
+}
+
+bool Settings::set(const std::string& name, double value, std::string& error)
+{
+    const Property* p = find(name);
+    if (!p) return set(name, std::string(), error);
+    if (!inRange(*p, value)) {
+        error = rangeError(*p, numberText(value));
+        return false;
+    }
+    p->put(*this, value);
+    return true;
+}
+
+bool Settings::valid(std::string& error) const
+{
+    for (const Property& p : table())
+        if (!inRange(p, p.get(*this))) {
+            error = rangeError(p, numberText(p.get(*this)));
+            return false;
+        }
+    return true;
+}
+
+} // namespace osgEnvLight

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include <osgEnvLight/SphericalHarmonics>
+
+#include <osgEnvLight/EnvironmentMap>
+
+#include <vector>
+
+#include "glsl.h"
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+// Order |m| of coefficient i, and whether it goes with the sine.
+struct Azimuth {
+    int m;
+    bool sine;
+};
+
+Azimuth azimuth(int i)
+{
+    int l = harmonicBand(i);
+    int m = i - (l == 0 ? 0 : l == 1 ? 2 : l == 2 ? 6 : 13);
+    return {std::abs(m), m < 0};
+}
+
+// The part of basis i that depends on the polar angle only: its value where its cosine or sine is 1.
+double polarPart(int i, double theta)
+{
+    Azimuth a = azimuth(i);
+    double phi = a.sine ? 0.5 * glsl::PI / a.m : 0.0;
+    return glsl::shBasis18(i, glsl::vec3(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)));
+}
+
+std::array<osg::Vec3d, 18> project(const RadianceMap& map)
+{
+    // Separable: Fourier sums along each row, then the polar parts.
+    const size_t width = size_t(map.width);
+    std::vector<std::array<double, 5>> cosines(width);
+    std::vector<std::array<double, 5>> sines(width);
+    for (size_t x = 0; x < width; ++x)
+        for (size_t m = 0; m < 5; ++m) {
+            double phi = glsl::TWO_PI * (0.5 - (double(x) + 0.5) / double(width));
+            cosines[x][m] = std::cos(double(m) * phi);
+            sines[x][m] = std::sin(double(m) * phi);
+        }
+    std::array<osg::Vec3d, 18> result;
+    for (int y = 0; y < map.height; ++y) {
+        std::array<osg::Vec3d, 5> c;
+        std::array<osg::Vec3d, 5> s;
+        for (size_t x = 0; x < width; ++x) {
+            const float* t = map.texel(int(x), y);
+            osg::Vec3d radiance(t[0], t[1], t[2]);
+            for (size_t m = 0; m < 5; ++m) {
+                c[m] += radiance * cosines[x][m];
+                s[m] += radiance * sines[x][m];
+            }
+        }
+        double theta = glsl::PI * (y + 0.5) / map.height;
+        double solidAngle = glsl::latlongTexelSolidAngle(y, glsl::vec2(map.width, map.height));
+        for (int i = 0; i < 18; ++i) {
+            Azimuth a = azimuth(i);
+            result[size_t(i)] += (a.sine ? s : c)[size_t(a.m)] * (polarPart(i, theta) * solidAngle);
+        }
+    }
+    return result;
+}
+
+} // namespace
+
+int harmonicBand(int i)
+{
+    return i == 0 ? 0 : i < 4 ? 1 : i < 9 ? 2 : 4;
+}
+
+double cosineBand(int l)
+{
+    return l == 0 ? glsl::PI : l == 1 ? 2.0 * glsl::PI / 3.0 : l == 2 ? glsl::PI / 4.0 : -glsl::PI / 24.0;
+}
+
+const std::array<osg::Vec3d, 18>& RadianceMap::harmonics() const
+{
+    std::call_once(_once, [this] { _harmonics = project(*this); });
+    return _harmonics;
+}
+
+} // namespace osgEnvLight

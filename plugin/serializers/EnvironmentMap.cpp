@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include <osgEnvLight/EnvironmentMap>
+
+#include <osg/Notify>
+#include <osgDB/InputStream>
+#include <osgDB/ObjectWrapper>
+#include <osgDB/OutputStream>
+
+namespace
+{
+
+using osgEnvLight::EnvironmentMap;
+
+// A map with a name is written by its name, one that an application made, with its pixels.
+bool checkMap(const EnvironmentMap& map)
+{
+    return !map.getMap().empty();
+}
+
+bool writeMap(osgDB::OutputStream& os, const EnvironmentMap& map)
+{
+    os.writeWrappedString(map.getMap());
+    os << std::endl;
+    return true;
+}
+
+bool readMap(osgDB::InputStream& is, EnvironmentMap& map)
+{
+    std::string name;
+    std::string error;
+    is.readWrappedString(name);
+    if (!map.load(name, is.getOptions(), error)) OSG_WARN << "osgEnvLight: " << error << std::endl;
+    return true;
+}
+
+bool checkImage(const EnvironmentMap& map)
+{
+    return map.getMap().empty() && map.getImage();
+}
+
+bool writeImage(osgDB::OutputStream& os, const EnvironmentMap& map)
+{
+    os.writeImage(map.getImage());
+    return true;
+}
+
+bool readImage(osgDB::InputStream& is, EnvironmentMap& map)
+{
+    map.setImage(is.readImage());
+    return true;
+}
+
+} // namespace
+
+REGISTER_OBJECT_WRAPPER(osgEnvLight_EnvironmentMap, new EnvironmentMap, EnvironmentMap, "osg::Object osgEnvLight::EnvironmentMap")
+{
+    wrapper->addSerializer(new osgDB::UserSerializer<MyClass>("Map", checkMap, readMap, writeMap), osgDB::BaseSerializer::RW_USER);
+    wrapper->addSerializer(new osgDB::UserSerializer<MyClass>("Image", checkImage, readImage, writeImage),
+                           osgDB::BaseSerializer::RW_USER);
+    ADD_DOUBLE_SERIALIZER(Rotation, 0.0);
+    ADD_DOUBLE_SERIALIZER(Intensity, 1.0);
+    ADD_BOOL_SERIALIZER(Strict, false);
+}

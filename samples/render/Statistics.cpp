@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "Statistics.h"
+
+#include "HeadlessContext.h"
+
+#include <osgDB/fstream>
+
+#include <nlohmann/json.hpp>
+
+bool Statistics::write(const std::string& fileName, const osgEnvLight::LitScene& lit, const HeadlessContext& context,
+                       std::string& error) const
+{
+    nlohmann::ordered_json j;
+    j["scene"] = scene;
+    j["size"] = {width, height};
+    j["renderer"] = context.renderer();
+    j["version"] = context.version();
+    j["frames"] = frames;
+    j["firstFrameMilliseconds"] = firstFrame;
+    j["lastFrameMilliseconds"] = lastFrame;
+    j["textureBytes"] = lit.textureBytes();
+    const osgEnvLight::Plan plan = lit.plan();
+    for (const auto& r : plan.reasons) j["plan"].push_back({{"pass", r.pass}, {"runs", r.runs}, {"reason", r.reason}});
+    for (const auto& t : lit.passTimes()) {
+        j["passes"][t.pass]["cpuMilliseconds"] = t.cpu;
+        if (t.gpu >= 0.0) j["passes"][t.pass]["gpuMilliseconds"] = t.gpu;
+    }
+    j["counts"] = {{"diffuseLights", plan.diffuseLights},
+                   {"occlusionLights", plan.occlusionLights},
+                   {"specularSamples", plan.specular ? lit.getSettings()->specularSamples : 0},
+                   {"deferredDrawables", plan.surfaces.deferred},
+                   {"forwardDrawables", plan.surfaces.forward}};
+    for (const auto& p : osgEnvLight::Settings::table()) j["settings"][p.name] = p.getString(*lit.getSettings());
+    osgDB::ofstream out(fileName.c_str());
+    out << j.dump(2) << "\n";
+    out.flush();
+    if (out) return true;
+    error = fileName + ": can't be written";
+    return false;
+}

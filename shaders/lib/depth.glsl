@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Eye space from the depth buffer, for any projection: perspective, orthographic, off-axis. Depth in [0,1].
+#ifndef DEPTH_GLSL
+#define DEPTH_GLSL
+
+// Eye-space point at normalised device coordinates ndc.xy in [-1,1] and depth.
+vec3 eyeFromDepth(mat4 inverseProjection, vec2 ndc, float depth)
+{
+    vec4 q = inverseProjection * vec4(ndc, 2.0 * depth - 1.0, 1.0);
+    return vec3(q) / q.w;
+}
+
+// Unit direction away from the eye along the view ray through ndc, parallel rays included.
+vec3 viewRay(mat4 inverseProjection, vec2 ndc)
+{
+    return normalize(eyeFromDepth(inverseProjection, ndc, 1.0) - eyeFromDepth(inverseProjection, ndc, 0.0));
+}
+
+// Length in eye units of one pixel's side at depth, across the view ray.
+float pixelFootprint(mat4 inverseProjection, vec2 ndc, float depth, vec2 size)
+{
+    vec3 a = eyeFromDepth(inverseProjection, ndc, depth);
+    vec3 b = eyeFromDepth(inverseProjection, ndc + vec2(0.0, 2.0 / size.y), depth);
+    return length(a - b);
+}
+
+#endif

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// The GGX microfacet distribution with Smith's height-correlated masking [Walter 2007; Heitz 2014]. Local frame, normal
+// (0,0,1); alpha = roughness squared, > 0; v towards the eye, l towards the light, h half-way, all of unit length.
+#ifndef GGX_GLSL
+#define GGX_GLSL
+
+#include "lib/constants.glsl"
+
+// Density of normals per solid angle; integral of D cos = 1. 1 - h.z^2 is written h.x^2 + h.y^2, which keeps its
+// digits for small alpha.
+float ggxD(vec3 h, float alpha)
+{
+    float a2 = alpha * alpha;
+    float d = h.x * h.x + h.y * h.y + a2 * h.z * h.z;
+    return a2 / (PI * d * d);
+}
+
+// sqrt(cos^2 + alpha^2 sin^2): the root that G1, G2 and the pdf share.
+float ggxRoot(float cosTheta, float alpha)
+{
+    return sqrt(cosTheta * cosTheta * (1.0 - alpha * alpha) + alpha * alpha);
+}
+
+// Share of the visible normals' reflections that is not shadowed on the way out, G2/G1(v) [Heitz 2014, eq. 99].
+float ggxG2OverG1(float cosV, float cosL, float alpha)
+{
+    float rootV = ggxRoot(cosV, alpha);
+    float rootL = ggxRoot(cosL, alpha);
+    return cosL * (cosV + rootV) / (cosL * rootV + cosV * rootL);
+}
+
+// Visibility G2 / (4 cosV cosL), never dividing by the cosines.
+float ggxVisibility(float cosV, float cosL, float alpha)
+{
+    return 0.5 / max(cosL * ggxRoot(cosV, alpha) + cosV * ggxRoot(cosL, alpha), 1e-30);
+}
+
+// BRDF value without Fresnel, per solid angle.
+float ggxBrdf(vec3 v, vec3 l, float alpha)
+{
+    if (v.z <= 0.0 || l.z <= 0.0) return 0.0;
+    return ggxD(normalize(v + l), alpha) * ggxVisibility(v.z, l.z, alpha);
+}
+
+// A normal visible from v, for u in [0,1)^2, by the spherical cap [Dupuy, Benyoub 2023].
+vec3 ggxVisibleNormalSample(vec3 v, float alpha, vec2 u)
+{
+    vec3 w = normalize(vec3(alpha * v.x, alpha * v.y, v.z));
+    float phi = TWO_PI * u.x;
+    float z = (1.0 - u.y) * (1.0 + w.z) - w.z;
+    float s = sqrt(clamp(1.0 - z * z, 0.0, 1.0));
+    vec3 h = vec3(s * cos(phi), s * sin(phi), z) + w;
+    return normalize(vec3(alpha * h.x, alpha * h.y, max(h.z, 1e-7)));
+}
+
+// Density per solid angle of the direction l that reflects v at a sampled visible normal h: D G1 / (4 v.z).
+float ggxReflectionPdf(vec3 v, vec3 h, float alpha)
+{
+    return 0.5 * ggxD(h, alpha) / (v.z + ggxRoot(v.z, alpha));
+}
+
+#endif

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// The modified Phong lobe, energy-normalised [Lafortune, Willems 1994]: f = ks (n+2)/(2 pi) cos^n about the mirror
+// direction r, so that at normal incidence the lobe reflects exactly ks.
+#ifndef PHONG_GLSL
+#define PHONG_GLSL
+
+#include "lib/constants.glsl"
+
+// cos^n of the angle between the unit vectors r and l. Written with 1 - cos = |r-l|^2/2, which keeps the digits that
+// pow(dot(r, l), n) loses for n > 1e4.
+float phongPower(vec3 r, vec3 l, float exponent)
+{
+    vec3 d = r - l;
+    float x = 0.5 * dot(d, d);
+    if (x >= 1.0) return 0.0;
+    // log1p(-x): a series where 1 - x would round
+    float logCos = x < 0.01 ? -x * (1.0 + x * (0.5 + x * (0.33333333333 + x * 0.25))) : log(1.0 - x);
+    return exp(exponent * logCos);
+}
+
+// BRDF value for ks = 1, per solid angle.
+float phongBrdf(vec3 r, vec3 l, float exponent)
+{
+    return (exponent + 2.0) / TWO_PI * phongPower(r, l, exponent);
+}
+
+// Direction about (0,0,1), the mirror direction, for u in [0,1)^2.
+vec3 phongSample(float exponent, vec2 u)
+{
+    float logU = log(max(1.0 - u.y, 1e-30));
+    float cosTheta = exp(logU / (exponent + 1.0));
+    // 1 - cos^2 = -expm1(2 logU / (n+1)): by series where the cosine rounds to 1
+    float x = 2.0 * logU / (exponent + 1.0);
+    float sin2 = x > -0.01 ? -x * (1.0 + x * (0.5 + x * 0.16666666667)) : 1.0 - cosTheta * cosTheta;
+    float sinTheta = sqrt(max(sin2, 0.0));
+    return vec3(sinTheta * cos(TWO_PI * u.x), sinTheta * sin(TWO_PI * u.x), cosTheta);
+}
+
+// Density of phongSample per solid angle, l about the mirror direction r.
+float phongPdf(vec3 r, vec3 l, float exponent)
+{
+    return (exponent + 1.0) / TWO_PI * phongPower(r, l, exponent);
+}
+
+// The G-buffer holds one number for the width of any lobe: roughness, alpha = roughness^2, and for Phong
+// alpha = sqrt(2 / (n + 2)) [Walter 2007, by the width of the lobe].
+float phongRoughness(float exponent)
+{
+    return sqrt(sqrt(2.0 / (exponent + 2.0)));
+}
+
+float phongExponent(float roughness)
+{
+    float r2 = roughness * roughness;
+    return max(2.0 / (r2 * r2) - 2.0, 0.0);
+}
+
+#endif

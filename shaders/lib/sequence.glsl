@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Low-discrepancy points and the order of the pixels in an interleaved cell.
+#ifndef SEQUENCE_GLSL
+#define SEQUENCE_GLSL
+
+// Van der Corput's radical inverse in base 2, in [0,1). 24 bits only: a float holds them exactly, 32 would round to 1.
+float radicalInverse(uint i)
+{
+    i = (i << 16u) | (i >> 16u);
+    i = ((i & 0x00ff00ffu) << 8u) | ((i & 0xff00ff00u) >> 8u);
+    i = ((i & 0x0f0f0f0fu) << 4u) | ((i & 0xf0f0f0f0u) >> 4u);
+    i = ((i & 0x33333333u) << 2u) | ((i & 0xccccccccu) >> 2u);
+    i = ((i & 0x55555555u) << 1u) | ((i & 0xaaaaaaaau) >> 1u);
+    return float(i >> 8u) / 16777216.0;
+}
+
+// Point i of n of the Hammersley set, centred in its strata, in (0,1)^2.
+vec2 hammersley(uint i, uint n)
+{
+    return vec2((float(i) + 0.5) / float(n), radicalInverse(i) + 0.5 / float(n));
+}
+
+// Bayer's number 0..15 of a pixel in its 4x4 cell: near numbers lie far apart.
+int bayer4(int x, int y)
+{
+    int a = (x ^ y) & 1;
+    int b = (y & 1);
+    int c = ((x ^ y) >> 1) & 1;
+    int d = (y >> 1) & 1;
+    return a * 8 + b * 4 + c * 2 + d;
+}
+
+#endif

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// The end of the post-process chain: tone curves and the display's encoding. Scene-linear Rec.709 in, [0,1] out.
+#ifndef TONE_GLSL
+#define TONE_GLSL
+
+// Reinhard 2002, eq. 3, on luminance: keeps hue and saturation.
+vec3 toneReinhard(vec3 c)
+{
+    return c / (1.0 + dot(c, vec3(0.2126, 0.7152, 0.0722)));
+}
+
+// Khronos PBR Neutral 2024: colours below .76 pass with only the 4 % of Fresnel taken off, highlights bend to white.
+vec3 toneNeutral(vec3 c)
+{
+    float start = 0.76;
+    float x = min(c.x, min(c.y, c.z));
+    float offset = x < 0.08 ? x - 6.25 * x * x : 0.04;
+    vec3 d = c - offset;
+    float peak = max(d.x, max(d.y, d.z));
+    if (peak < start) return d;
+    float room = 1.0 - start;
+    float newPeak = 1.0 - room * room / (peak + room - start);
+    float white = 1.0 - 1.0 / (0.15 * (peak - newPeak) + 1.0);
+    return mix(d * (newPeak / peak), vec3(newPeak), white);
+}
+
+// IEC 61966-2-1, one channel, and back.
+float srgbEncode(float x)
+{
+    return x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1.0 / 2.4) - 0.055;
+}
+
+float srgbDecode(float x)
+{
+    return x <= 0.04045 ? x / 12.92 : pow((x + 0.055) / 1.055, 2.4);
+}
+
+vec3 srgbEncode3(vec3 c)
+{
+    return vec3(srgbEncode(c.x), srgbEncode(c.y), srgbEncode(c.z));
+}
+
+vec3 srgbDecode3(vec3 c)
+{
+    return vec3(srgbDecode(c.x), srgbDecode(c.y), srgbDecode(c.z));
+}
+
+#endif

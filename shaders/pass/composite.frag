@@ -1,0 +1,131 @@
+#version 330 compatibility
+// SPDX-License-Identifier: MIT
+// L = L_e + S + D - O [seed 000, eq. 3], into the host's own colour and depth, or any intermediate in its place.
+#pragma import_defines(HAS_DIFFUSE, HAS_SPECULAR, HAS_OCCLUSION, COMBINE_SUBTRACT, BACKGROUND, BACKGROUND_BLUR, VIEW_TERM, OUTPUT_LINEAR)
+
+#include "lib/constants.glsl"
+#include "lib/latlong.glsl"
+#include "lib/octahedral.glsl"
+#include "pass/display.glsl"
+#include "pass/gbuffer.glsl"
+#include "pass/view.glsl"
+
+uniform sampler2D emissionMap;
+uniform sampler2D diffuseTermMap;
+uniform sampler2D specularTermMap;
+uniform sampler2D occlusionTermMap;
+uniform sampler2D latlongMap;
+uniform sampler2D pyramidMap;
+uniform sampler2D diffuseLightMap;
+uniform float pyramidSide;
+uniform float pyramidLastLevel;
+uniform float backgroundBlur;  // degrees
+uniform float radianceScale;   // the map's mean radiance times its intensity
+uniform float sceneRadius;
+uniform vec2 viewportOrigin;
+
+layout(location = 0) out vec4 color;
+
+vec3 background(vec3 d)
+{
+#ifdef BACKGROUND_BLUR
+    // The level whose texels are as wide as the blur
+    float lod = log2(max(radians(backgroundBlur), 1e-6) * pyramidSide / sqrt(4.0 * PI));
+    return pyramidLookup(pyramidMap, pyramidSide, pyramidLastLevel, d, lod) * radianceScale;
+#else
+    return textureLod(latlongMap, latlongFromDirection(d), 0.0).rgb * radianceScale;
+#endif
+}
+
+vec3 diffuseTerm(ivec2 p)
+{
+#ifdef HAS_DIFFUSE
+    return texelFetch(diffuseTermMap, p, 0).rgb * radianceScale;
+#else
+    return vec3(0.0);
+#endif
+}
+
+vec3 specularTerm(ivec2 p)
+{
+#ifdef HAS_SPECULAR
+    return texelFetch(specularTermMap, p, 0).rgb * radianceScale;
+#else
+    return vec3(0.0);
+#endif
+}
+
+// D - O
+vec3 occludedDiffuse(ivec2 p)
+{
+    vec3 d = diffuseTerm(p);
+#ifdef HAS_OCCLUSION
+    vec3 o = texelFetch(occlusionTermMap, p, 0).rgb;
+#ifdef COMBINE_SUBTRACT
+    // Two light lists: the difference may come out below zero, which no radiance is.
+    return max(d - texelFetch(albedoMap, p, 0).rgb * o * radianceScale, vec3(0.0));
+#else
+    return d * o;
+#endif
+#else
+    return d;
+#endif
+}
+
+#ifdef VIEW_TERM
+uniform int view;
+
+// The map with a disc at each light of the diffuse list, of its colour.
+vec3 lightsView(vec3 d)
+{
+    vec3 c = 0.3 * textureLod(latlongMap, latlongFromDirection(d), 0.0).rgb * radianceScale;
+    ivec2 size = textureSize(diffuseLightMap, 0);
+    for (int row = 0; row < size.y; row += 2)
+        for (int i = 0; i < size.x; ++i) {
+            vec3 flux = texelFetch(diffuseLightMap, ivec2(i, row + 1), 0).rgb;
+            if (dot(d, texelFetch(diffuseLightMap, ivec2(i, row), 0).xyz) > 0.99995)
+                c = flux / max(max(flux.r, max(flux.g, flux.b)), 1e-20);
+        }
+    return c;
+}
+
+vec3 termView(ivec2 p, vec3 d)
+{
+    if (view == VIEW_DIFFUSE) return diffuseTerm(p);
+    if (view == VIEW_SPECULAR) return specularTerm(p);
+    if (view == VIEW_OCCLUSION) return diffuseTerm(p) - occludedDiffuse(p);
+    if (view == VIEW_ALBEDO) return texelFetch(albedoMap, p, 0).rgb;
+    if (view == VIEW_NORMAL) return 0.5 * (mapFromEye * pixelNormal(p)) + 0.5;
+    if (view == VIEW_DEPTH) return vec3(-pixelEye(p).z / (4.0 * sceneRadius));
+    if (view == VIEW_EMISSION) return texelFetch(emissionMap, p, 0).rgb;
+#ifdef HAS_OCCLUSION
+    if (view == VIEW_VISIBILITY) return occludedDiffuse(p) / max(diffuseTerm(p), vec3(1e-20));
+#endif
+    if (view == VIEW_LIGHTS) return lightsView(d);
+    return vec3(1.0);
+}
+#endif
+
+void main()
+{
+    ivec2 p = ivec2(gl_FragCoord.xy - viewportOrigin);
+    float depth = texelFetch(depthMap, p, 0).r;
+    gl_FragDepth = depth;
+    vec3 d = mapFromEye * viewRay(inverseProjection, pixelNdc(p));
+    if (depth >= 1.0) {
+#ifdef VIEW_TERM
+        color = vec4(view == VIEW_LIGHTS ? display(lightsView(d), p) : vec3(0.0), 0.0);
+#elif defined(BACKGROUND)
+        color = vec4(display(background(d), p), 0.0);
+#else
+        discard;
+#endif
+        return;
+    }
+#ifdef VIEW_TERM
+    color = vec4(display(termView(p, d), p), 1.0);
+#else
+    vec3 radiance = texelFetch(emissionMap, p, 0).rgb + specularTerm(p) + occludedDiffuse(p);
+    color = vec4(display(radiance, p), 1.0);
+#endif
+}

@@ -1,0 +1,51 @@
+#version 330 compatibility
+// SPDX-License-Identifier: MIT
+// D: the diffuse term without occlusion, rho/pi times the integral of L cos [seed 000, eq. 3, second term], from
+// spherical harmonics of the map or from its importance-sampled lights. Radiance in units of the map's mean.
+#pragma import_defines(DIFFUSE_SH, HAS_COOK_TORRANCE)
+
+#include "lib/constants.glsl"
+#include "lib/sh.glsl"
+#include "pass/gbuffer.glsl"
+#include "pass/albedo.glsl"
+
+#ifdef DIFFUSE_SH
+uniform vec3 shCoefficients[18];
+#else
+uniform sampler2D diffuseLightMap; // rows 2q, 2q + 1: direction and flux
+#endif
+
+layout(location = 0) out vec4 diffuse;
+
+vec3 irradianceOverPi(vec3 n)
+{
+#ifdef DIFFUSE_SH
+    return shIrradiance(shCoefficients, n);
+#else
+    vec3 sum = vec3(0.0);
+    ivec2 size = textureSize(diffuseLightMap, 0);
+    for (int row = 0; row < size.y; row += 2)
+        for (int i = 0; i < size.x; ++i)
+            sum += texelFetch(diffuseLightMap, ivec2(i, row + 1), 0).rgb *
+                   max(dot(n, texelFetch(diffuseLightMap, ivec2(i, row), 0).xyz), 0.0);
+    return sum * INV_PI;
+#endif
+}
+
+void main()
+{
+    ivec2 p = ivec2(gl_FragCoord.xy);
+    diffuse = vec4(0.0);
+    if (isBackground(p)) return;
+    vec3 n = pixelNormal(p);
+    vec3 rho = texelFetch(albedoMap, p, 0).rgb;
+#ifdef HAS_COOK_TORRANCE
+    // What the lobe reflects never reaches the layer below.
+    if (pixelBrdf(p) == BRDF_COOK_TORRANCE) {
+        vec3 f0 = texelFetch(specularMap, p, 0).rgb;
+        vec2 e = lobeAlbedo(texelFetch(normalMap, p, 0).a, -dot(n, viewRay(inverseProjection, pixelNdc(p))));
+        rho *= max(1.0 - (f0 * e.x + e.y) * multipleScattering(f0, e.x + e.y), vec3(0.0));
+    }
+#endif
+    if (max(rho.r, max(rho.g, rho.b)) > 0.0) diffuse = vec4(rho * irradianceOverPi(mapFromEye * n), 1.0);
+}

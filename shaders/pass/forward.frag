@@ -1,0 +1,47 @@
+#version 330 compatibility
+// SPDX-License-Identifier: MIT
+// Transparent surfaces of the host, drawn after the composite in its own bins: the same environment functions, one
+// look-up for the lobe in place of the importance samples, no occlusion.
+#pragma import_defines(NO_TEXTURE, LINEAR_TEXTURE, TEXTURE_REPLACE, UNLIT, VERTEX_COLOR, FACE_NORMAL, PHONG_MATERIAL, ENVLIGHT_LAMBERT, ENVLIGHT_PHONG, ENVLIGHT_COOK_TORRANCE, OUTPUT_LINEAR)
+
+#include "lib/octahedral.glsl"
+#include "lib/sh.glsl"
+#include "pass/surface.glsl"
+#include "pass/albedo.glsl"
+#include "pass/display.glsl"
+
+uniform sampler2D pyramidMap;
+uniform float pyramidSide;
+uniform float pyramidLastLevel;
+uniform vec3 shCoefficients[18];
+uniform float radianceScale;
+uniform mat3 mapFromEyeForward;
+uniform int orthographic;
+
+layout(location = 0) out vec4 color;
+
+void main()
+{
+    Surface s = readSurface();
+    vec3 v = orthographic != 0 ? vec3(0.0, 0.0, 1.0) : -normalize(eyePosition);
+    float cosV = max(dot(s.normal, v), 1e-4);
+    vec3 radiance = s.emission;
+    vec3 through = vec3(1.0);
+    float alpha = s.alpha;
+    if (s.brdf != BRDF_LAMBERT) {
+        vec2 e = s.brdf == BRDF_COOK_TORRANCE ? lobeAlbedo(s.roughness, cosV) : vec2(1.0, 0.0);
+        vec3 reflected = s.f0 * e.x + e.y;
+        // Half of a GGX lobe's energy lies within a cone of about tan = alpha.
+        float lod = log2(max(s.roughness * s.roughness * pyramidSide, 1.0));
+        vec3 r = mapFromEyeForward * reflect(-v, s.normal);
+        vec3 glint = reflected * pyramidLookup(pyramidMap, pyramidSide, pyramidLastLevel, r, lod) * radianceScale;
+        through = 1.0 - min(reflected, vec3(1.0));
+        // A reflection does not fade with the body's transparency: blending multiplies by alpha, so alpha rises with it.
+        float strength = max(reflected.r, max(reflected.g, reflected.b));
+        alpha = mix(s.alpha, 1.0, clamp(strength, 0.0, 1.0));
+        radiance += glint / max(alpha, 1e-3);
+    }
+    vec3 diffuse = s.albedo * shIrradiance(shCoefficients, mapFromEyeForward * s.normal) * radianceScale;
+    radiance += diffuse * through * (s.alpha / max(alpha, 1e-3));
+    color = vec4(display(radiance, ivec2(gl_FragCoord.xy)), alpha);
+}

@@ -1,0 +1,103 @@
+#version 330 compatibility
+// SPDX-License-Identifier: MIT
+// S: the glossy term, the integral of L f_H cos [seed 000, eq. 3, first term], by filtered importance sampling
+// [Colbert, Krivanek 2008]: directions from the BRDF, each look-up as wide as the sample's share of the lobe.
+// Radiance in units of the map's mean.
+#pragma import_defines(HAS_PHONG, HAS_COOK_TORRANCE)
+
+#include "lib/frame.glsl"
+#include "lib/fresnel.glsl"
+#include "lib/ggx.glsl"
+#include "lib/latlong.glsl"
+#include "lib/octahedral.glsl"
+#include "lib/phong.glsl"
+#include "lib/sequence.glsl"
+#include "pass/gbuffer.glsl"
+#include "pass/albedo.glsl"
+
+uniform sampler2D pyramidMap;
+uniform sampler2D latlongMap;
+uniform float pyramidSide;
+uniform float pyramidLastLevel;
+uniform int specularSamples;
+
+layout(location = 0) out vec4 specular;
+
+// Below this alpha one look-up at the map's own resolution is the lobe: a texel of a 1024-wide map is wider.
+const float MIRROR_ALPHA = 0.0009;
+
+vec3 mirror(vec3 d)
+{
+    return textureLod(latlongMap, latlongFromDirection(d), 0.0).rgb;
+}
+
+// Radiance about d, averaged over the solid angle that one of the samples of density pdf stands for.
+vec3 filtered(vec3 d, float pdf)
+{
+    float lod = 0.5 * log2(pyramidSide * pyramidSide / (4.0 * PI * float(specularSamples) * max(pdf, 1e-6)));
+    return pyramidLookup(pyramidMap, pyramidSide, pyramidLastLevel, d, lod);
+}
+
+#ifdef HAS_COOK_TORRANCE
+// Ratio estimator: sum(w F L) / sum(w) times the exact albedo, so that a constant map reflects exactly.
+vec3 cookTorrance(vec3 v, mat3 mapFromLocal, vec3 f0, float roughness)
+{
+    float alpha = roughness * roughness;
+    vec2 table = lobeAlbedo(roughness, v.z);
+    float single = table.x + table.y;
+    vec3 energy = multipleScattering(f0, single);
+    if (alpha < MIRROR_ALPHA) return fresnelSchlick(f0, v.z) * mirror(mapFromLocal * vec3(-v.x, -v.y, v.z));
+    vec3 num = vec3(0.0);
+    float den = 0.0;
+    for (int i = 0; i < specularSamples; ++i) {
+        vec3 h = ggxVisibleNormalSample(v, alpha, hammersley(uint(i), uint(specularSamples)));
+        float c = dot(v, h);
+        vec3 l = 2.0 * c * h - v;
+        if (l.z <= 0.0) continue;
+        float w = ggxG2OverG1(v.z, l.z, alpha);
+        num += w * fresnelSchlick(f0, c) * filtered(mapFromLocal * l, ggxReflectionPdf(v, h, alpha));
+        den += w;
+    }
+    return den > 0.0 ? num / den * single * energy : vec3(0.0);
+}
+#endif
+
+#ifdef HAS_PHONG
+vec3 phong(vec3 v, mat3 mapFromLocal, vec3 ks, float roughness)
+{
+    vec3 r = vec3(-v.x, -v.y, v.z);
+    float n = phongExponent(roughness);
+    mat3 lobe = frameAround(r);
+    float scale = (n + 2.0) / (n + 1.0);
+    if (roughness * roughness < MIRROR_ALPHA) return ks * scale * v.z * mirror(mapFromLocal * r);
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < specularSamples; ++i) {
+        vec3 l = lobe * phongSample(n, hammersley(uint(i), uint(specularSamples)));
+        if (l.z > 0.0) sum += l.z * filtered(mapFromLocal * l, phongPdf(r, l, n));
+    }
+    return ks * scale * sum / float(specularSamples);
+}
+#endif
+
+void main()
+{
+    ivec2 p = ivec2(gl_FragCoord.xy);
+    specular = vec4(0.0);
+    if (isBackground(p)) return;
+    vec4 f0 = texelFetch(specularMap, p, 0);
+    int brdf = pixelBrdf(p);
+    if (brdf == BRDF_LAMBERT) return;
+    vec3 n = pixelNormal(p);
+    float roughness = texelFetch(normalMap, p, 0).a;
+    mat3 eyeFromLocal = frameAround(n);
+    vec3 v = transpose(eyeFromLocal) * -viewRay(inverseProjection, pixelNdc(p));
+    v.z = max(v.z, 1e-4); // interpolated normals may lean away from the eye
+    v = normalize(v);
+    mat3 mapFromLocal = mapFromEye * eyeFromLocal;
+#ifdef HAS_COOK_TORRANCE
+    if (brdf == BRDF_COOK_TORRANCE) specular = vec4(cookTorrance(v, mapFromLocal, f0.rgb, roughness), 1.0);
+#endif
+#ifdef HAS_PHONG
+    if (brdf == BRDF_PHONG) specular = vec4(phong(v, mapFromLocal, f0.rgb, roughness), 1.0);
+#endif
+}

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// Writes a few small valid files of every kind into FOLDER/exr and FOLDER/hdr, for the fuzzers to start from.
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfMultiPartOutputFile.h>
+#include <ImfOutputFile.h>
+#include <ImfOutputPart.h>
+#include <ImfPartType.h>
+#include <ImfRgbaFile.h>
+#include <ImfTiledOutputFile.h>
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+constexpr int kWidth = 18;
+constexpr int kHeight = 12;
+
+Imf::Header headerOf(const std::vector<std::string>& names, Imf::PixelType type, Imf::Compression compression)
+{
+    Imf::Header header(kWidth, kHeight);
+    header.compression() = compression;
+    for (const std::string& name : names) header.channels().insert(name, Imf::Channel(type));
+    return header;
+}
+
+/** All channels of `header` from one plane of four bytes a pixel: only that it decodes matters. */
+Imf::FrameBuffer sourceOf(const Imf::Header& header)
+{
+    static std::vector<float> plane = [] {
+        std::vector<float> p(kWidth * kHeight);
+        for (std::size_t i = 0; i < p.size(); ++i) p[i] = 1.0f + std::sin(0.1f * static_cast<float>(i));
+        return p;
+    }();
+    Imf::FrameBuffer source;
+    for (auto c = header.channels().begin(); c != header.channels().end(); ++c)
+        source.insert(c.name(), Imf::Slice(c.channel().type, reinterpret_cast<char*>(plane.data()), 4, 4 * kWidth));
+    return source;
+}
+
+void writeScanlines(const fs::path& path, const Imf::Header& header)
+{
+    Imf::OutputFile file(path.string().c_str(), header);
+    file.setFrameBuffer(sourceOf(header));
+    file.writePixels(kHeight);
+}
+
+void writeTiles(const fs::path& path, Imf::Header header, Imf::LevelMode mode)
+{
+    header.setTileDescription(Imf::TileDescription(4, 4, mode));
+    Imf::TiledOutputFile file(path.string().c_str(), header);
+    file.setFrameBuffer(sourceOf(header));
+    for (int y = 0; y < file.numYLevels(); ++y)
+        for (int x = 0; x < file.numXLevels(); ++x)
+            if (file.isValidLevel(x, y)) file.writeTiles(0, file.numXTiles(x) - 1, 0, file.numYTiles(y) - 1, x, y);
+}
+
+void writeParts(const fs::path& path)
+{
+    std::vector<Imf::Header> headers(2, headerOf({"B", "G", "R"}, Imf::HALF, Imf::ZIP_COMPRESSION));
+    for (std::size_t i = 0; i < headers.size(); ++i) {
+        headers[i].setName("part" + std::to_string(i));
+        headers[i].setType(Imf::SCANLINEIMAGE);
+    }
+    Imf::MultiPartOutputFile file(path.string().c_str(), headers.data(), static_cast<int>(headers.size()));
+    for (int i = 0; i < static_cast<int>(headers.size()); ++i) {
+        Imf::OutputPart part(file, i);
+        part.setFrameBuffer(sourceOf(headers[0]));
+        part.writePixels(kHeight);
+    }
+}
+
+void writeChroma(const fs::path& path)
+{
+    const std::vector<Imf::Rgba> pixels(kWidth * kHeight, Imf::Rgba(1.0f, 0.5f, 0.25f, 1.0f));
+    Imf::RgbaOutputFile file(path.string().c_str(), Imf::Header(kWidth, kHeight), Imf::WRITE_YCA);
+    file.setFrameBuffer(pixels.data(), 1, kWidth);
+    file.writePixels(kHeight);
+}
+
+void writeExrs(const fs::path& folder)
+{
+    for (int c = 0; c < Imf::NUM_COMPRESSION_METHODS; ++c) {
+        const auto compression = static_cast<Imf::Compression>(c);
+        writeScanlines(folder / ("half" + std::to_string(c) + ".exr"), headerOf({"A", "B", "G", "R"}, Imf::HALF, compression));
+        writeScanlines(folder / ("float" + std::to_string(c) + ".exr"), headerOf({"B", "G", "R"}, Imf::FLOAT, compression));
+    }
+    writeScanlines(folder / "uint.exr", headerOf({"Y", "Z"}, Imf::UINT, Imf::ZIP_COMPRESSION));
+    writeTiles(folder / "tiles.exr", headerOf({"B", "G", "R"}, Imf::HALF, Imf::PIZ_COMPRESSION), Imf::ONE_LEVEL);
+    writeTiles(folder / "mipmap.exr", headerOf({"B", "G", "R"}, Imf::FLOAT, Imf::NO_COMPRESSION), Imf::MIPMAP_LEVELS);
+    writeTiles(folder / "ripmap.exr", headerOf({"Y"}, Imf::HALF, Imf::ZIP_COMPRESSION), Imf::RIPMAP_LEVELS);
+    writeParts(folder / "parts.exr");
+    writeChroma(folder / "chroma.exr");
+}
+
+void writeHdr(const fs::path& path, const std::string& header, const std::string& pixels)
+{
+    std::ofstream out(path, std::ios::binary);
+    out << "#?RADIANCE\n" << header << "\n" << pixels;
+}
+
+void writeHdrs(const fs::path& folder)
+{
+    writeHdr(folder / "flat.hdr", "FORMAT=32-bit_rle_rgbe\nEXPOSURE=2\n",
+             "-Y 1 +X 3\nabc\x80"
+             "def\x81"
+             "ghi\x82");
+    writeHdr(folder / "old.hdr", "COLORCORR= 1 2 .5\n",
+             "+X 1 -Y 5\nabc\x80"
+             "\x01\x01\x01\x04");
+    writeHdr(folder / "new.hdr", "FORMAT=32-bit_rle_xyze\n",
+             std::string("+Y 1 -X 8\n\x02\x02\0\x08", 14) +
+                 "\x88"
+                 "a\x88"
+                 "b\x08"
+                 "abcdefgh\x88\x80");
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    if (argc != 2) {
+        std::cerr << "usage: " << argv[0] << " FOLDER\n";
+        return 2;
+    }
+    try {
+        const fs::path folder(argv[1]);
+        for (const char* kind : {"exr", "hdr"}) fs::create_directories(folder / kind);
+        writeExrs(folder / "exr");
+        writeHdrs(folder / "hdr");
+    } catch (const std::exception& e) {
+        std::cerr << e.what() << "\n";
+        return 1;
+    }
+    return 0;
+}
