@@ -70,7 +70,10 @@ try {
     fillGBuffer(c, node, cv, forward);
 
     lock.lock();
-    vd.plan = Plan::make(*settings, vd.plan.surfaces, radianceScale <= 0.0, radius);
+    const bool measure = settings->diffuse && settings->diffuseCarrier == Settings::AUTO && radianceScale > 0.0 &&
+                         vd.plan.surfaces.deferred > 0;
+    const DiffuseCarrier carrier = measure ? textures->carrier(unsigned(settings->diffuseLights)) : DiffuseCarrier();
+    vd.plan = Plan::make(*settings, vd.plan.surfaces, radianceScale <= 0.0, radius, carrier);
     addPasses(c, cv);
     addComposite(c, cv);
     for (const ForwardGraph& f : forward) f.bin->addStateGraph(f.graph);

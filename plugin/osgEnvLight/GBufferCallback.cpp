@@ -36,6 +36,8 @@ void BindTargets::operator()(osg::RenderInfo& renderInfo) const
     if (profile & GL_CONTEXT_CORE_PROFILE_BIT)
         _failure->report("this is a core profile of OpenGL, in which OpenSceneGraph's fixed-function state does not work");
     _target->apply(state);
+    // At its first use apply() creates the textures, bound to the active unit behind State's back.
+    state.haveAppliedTextureAttribute(state.getActiveTextureUnit(), osg::StateAttribute::TEXTURE);
     if (ext->glCheckFramebufferStatus(GL_FRAMEBUFFER_EXT) != GL_FRAMEBUFFER_COMPLETE_EXT)
         _failure->report("this OpenGL can't draw into the G-buffer's formats (frame buffer incomplete)");
     if (_timer) _timer->begin(state);

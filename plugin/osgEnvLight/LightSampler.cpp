@@ -14,10 +14,11 @@ namespace osgEnvLight
 namespace
 {
 
-// Of a region: luminance flux, luminance flux times direction (3), RGB flux (3).
+// Of a region: flux, flux times direction (3), RGB flux (3). The flux that decides is the mean of the channels: by luminance
+// a blue region would get a sixth of the lights that its share of the irradiance needs.
 using Moments = std::array<double, 7>;
 
-const osg::Vec3d luminanceWeights(0.2126, 0.7152, 0.0722);
+const osg::Vec3d channelWeights(1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0);
 
 // Summed-area table of moments over the map's texels, or over blocks of them; read bilinearly, so that borders of
 // regions are real numbers.
@@ -64,7 +65,7 @@ class MomentTable
             for (int x = 0; x < fineWidth; ++x) {
                 const float* t = map.texel(x / _repeatX, y / _repeatY);
                 const osg::Vec3d flux = osg::Vec3d(t[0], t[1], t[2]) * solidAngle;
-                const double l = luminanceWeights * flux;
+                const double l = channelWeights * flux;
                 const glsl::vec3 d = glsl::directionFromLatlong(glsl::vec2(x + 0.5, y + 0.5) / size);
                 const Moments m = {l, l * d.x, l * d.y, l * d.z, flux[0], flux[1], flux[2]};
                 Moments& c = cell(x / _block + 1, y / _block + 1);

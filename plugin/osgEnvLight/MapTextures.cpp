@@ -187,15 +187,31 @@ osg::Uniform* MapTextures::harmonics()
     return _harmonics.get();
 }
 
+const LightList& MapTextures::diffuseList(unsigned count)
+{
+    if (_diffuseCount != count) {
+        const osg::ref_ptr<SplitSampler> sampler = new SplitSampler;
+        _diffuseCount = count;
+        _diffuseList = sampler->sample(*_map, count);
+        _diffuseLights = nullptr;
+        _carrier = DiffuseCarrier();
+    }
+    return _diffuseList;
+}
+
 osg::Texture2D* MapTextures::diffuseLights(unsigned count)
 {
-    if (!_diffuseLights || _diffuseCount != count) {
-        osg::ref_ptr<SplitSampler> sampler = new SplitSampler;
-        _diffuseCount = count;
-        // Rows of at most 4096 lights: a texture is narrower than the longest list.
-        _diffuseLights = lightTexture(sampler->sample(*_map, count), (count + 4095) / 4096, _scale);
-    }
+    const LightList& lights = diffuseList(count);
+    // Rows of at most 4096 lights: a texture is narrower than the longest list.
+    if (!_diffuseLights) _diffuseLights = lightTexture(lights, (count + 4095) / 4096, _scale);
     return _diffuseLights.get();
+}
+
+const DiffuseCarrier& MapTextures::carrier(unsigned count)
+{
+    const LightList& lights = diffuseList(count);
+    if (_carrier.lightsError < 0.0) _carrier = chooseCarrier(*_map, lights);
+    return _carrier;
 }
 
 osg::Texture2D* MapTextures::occlusionLights(unsigned count)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // envlight-render: a scene lit by its environment, to an image, without an X server.
 #include "HeadlessContext.h"
+#include "PluginPath.h"
 #include "Statistics.h"
 
 #include <osgEnvLight/SceneDescription>
@@ -116,17 +117,16 @@ void setCamera(const Arguments& a, const osgEnvLight::LitScene& lit, osgViewer::
     const double aspect = double(a.width) / a.height;
     const auto view = chosenView(a, lit);
     osg::Camera& camera = *viewer.getCamera();
-    const double fovy = view ? view->fovy : a.fovy.value_or(0.0);
-    if (fovy > 0.0) camera.setProjectionMatrixAsPerspective(fovy, aspect, 1.0, 10000.0);
+    // Without a view of its own a scene is seen as osgviewer starts: the default opening angle, and the manipulator's home.
+    double fovy, defaultAspect, near, far;
+    camera.getProjectionMatrixAsPerspective(fovy, defaultAspect, near, far);
+    if (view) fovy = view->fovy;
+    if (a.fovy) fovy = *a.fovy;
+    camera.setProjectionMatrixAsPerspective(fovy, aspect, near, far);
     if (view) {
         camera.setViewMatrixAsLookAt(view->eye, view->target, view->up);
         return;
     }
-    // As osgviewer starts: the default projection fitted to the window, and the manipulator's home.
-    if (fovy <= 0.0) camera.setProjectionMatrixAsPerspective(osg::DisplaySettings::instance()->getScreenHeight() > 0.0f
-            ? osg::RadiansToDegrees(2.0 * std::atan2(double(osg::DisplaySettings::instance()->getScreenHeight()) / 2.0,
-                                                     double(osg::DisplaySettings::instance()->getScreenDistance())))
-            : 30.0, aspect, 1.0, 10000.0);
     osg::ref_ptr<osgGA::TrackballManipulator> manipulator = new osgGA::TrackballManipulator;
     manipulator->setNode(const_cast<osgEnvLight::LitScene*>(&lit));
     manipulator->computeHomePosition(&camera, false);
@@ -207,6 +207,7 @@ void addOptions(CLI::App& app, Arguments& a)
 int run(Arguments& a)
 {
     parseSize(a);
+    addPluginPath();
     const std::string extension = osgDB::getLowerCaseFileExtension(a.output);
     if (extension != "exr" && extension != "png") throw BadArguments("-o is '" + a.output + "', expected a name ending in .exr or .png");
     osg::ref_ptr<osgEnvLight::LitScene> lit = loadScene(a.scene);

@@ -38,11 +38,12 @@ float rayBlocked(sampler2D depthMap, RayMarch m, vec3 l, float phase)
         float t = m.radius * s * s;
         vec4 c = m.clip + t * clipStep;
         if (c.w <= 0.0 || abs(c.x) >= c.w || abs(c.y) >= c.w) return 0.0;
-        vec2 ndc = vec2(c) / c.w;
-        float depth = texelFetch(depthMap, ivec2((0.5 * ndc + 0.5) * m.size), 0).x;
+        ivec2 texel = ivec2((0.5 * vec2(c) / c.w + 0.5) * m.size);
+        float depth = texelFetch(depthMap, texel, 0).x;
         if (depth >= 1.0) continue;
-        vec4 seen = vec4(ndc, 2.0 * depth - 1.0, 1.0);
-        if (dot(m.plane, seen) <= 0.0) continue;
+        // The surface is known at the texel's centre: taken elsewhere in the texel it would leave its own plane.
+        vec2 ndc = (vec2(texel) + 0.5) / m.size * 2.0 - 1.0;
+        if (dot(m.plane, vec4(ndc, 2.0 * depth - 1.0, 1.0)) <= 0.0) continue;
         float behind = eyeFromDepth(m.inverseProjection, ndc, depth).z - (m.eye.z + t * l.z);
         if (behind > 0.0 && behind < m.thickness) return 1.0;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writes a few small valid files of every kind into FOLDER/exr and FOLDER/hdr, for the fuzzers to start from.
+// Writes a few small valid files of every kind into FOLDER/exr, FOLDER/hdr and FOLDER/json, for the fuzzers to start from.
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -125,6 +125,21 @@ void writeHdrs(const fs::path& folder)
                  "abcdefgh\x88\x80");
 }
 
+void writeJsons(const fs::path& folder)
+{
+    std::ofstream(folder / "scene.json") << R"({
+        "models": ["a.obj", "b.osgt"],
+        "environment": {"map": "sky", "rotation": 30.5, "intensity": 2, "strict": true},
+        "camera": {"eye": [4, -6, 3], "target": [0, 0, 1], "up": [0, 0, 1], "fovy": 40},
+        "materials": {"gold": {"brdf": "cook-torrance", "baseColor": [1, 0.77, 0.34], "metalness": 1, "roughness": 0.2},
+                      "floor": {"brdf": "phong", "diffuse": [0.5, 0.5, 0.5], "specular": [0.04, 0.04, 0.04], "exponent": 200},
+                      "wall": {"brdf": "lambert", "diffuse": [0.8, 0.8, 0.8]}},
+        "settings": {"diffuseLights": 128, "combine": "ratio", "occlusion": true},
+        "lights": []})";
+    std::ofstream(folder / "model.json") << R"({"model": "a.obj"})";
+    std::ofstream(folder / "camera.json") << R"({"eye": [1, 2, 3], "target": [0, 0, 0], "up": [0, 0, 1], "fovy": 30})";
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -135,9 +150,10 @@ int main(int argc, char** argv)
     }
     try {
         const fs::path folder(argv[1]);
-        for (const char* kind : {"exr", "hdr"}) fs::create_directories(folder / kind);
+        for (const char* kind : {"exr", "hdr", "json"}) fs::create_directories(folder / kind);
         writeExrs(folder / "exr");
         writeHdrs(folder / "hdr");
+        writeJsons(folder / "json");
     } catch (const std::exception& e) {
         std::cerr << e.what() << "\n";
         return 1;

@@ -71,7 +71,7 @@ HeadlessContext::~HeadlessContext()
     eglMakeCurrent(_display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     eglDestroySurface(_display, _surface);
     eglDestroyContext(_display, _context);
-    eglTerminate(_display);
+    // The display is the process's: terminating it would end other contexts on it.
 }
 
 std::string HeadlessContext::renderer() const

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "SceneRenderer.h"
+
+#include <osg/Geometry>
+
+#include <cmath>
+
+osg::Vec3d Picture::color(int x, int y) const
+{
+    const float* p = &rgba[4 * size_t(y * width + x)];
+    return osg::Vec3d(p[0], p[1], p[2]);
+}
+
+bool Picture::finite() const
+{
+    for (float f : rgba)
+        if (!std::isfinite(f)) return false;
+    return !rgba.empty();
+}
+
+double rootMeanSquare(const Picture& a, const Picture& b)
+{
+    double sum = 0.0;
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x) sum += (a.color(x, y) - b.color(x, y)).length2();
+    return std::sqrt(sum / (3.0 * a.width * a.height));
+}
+
+double largestDifference(const Picture& a, const Picture& b)
+{
+    double largest = 0.0;
+    for (size_t i = 0; i < a.rgba.size(); ++i) largest = std::max(largest, double(std::abs(a.rgba[i] - b.rgba[i])));
+    return largest;
+}
+
+SceneRenderer::SceneRenderer(int width, int height) : _width(width), _height(height)
+{
+    _viewer.setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
+    _window = _viewer.setUpViewerAsEmbeddedInWindow(0, 0, width, height);
+    osg::Camera& camera = *_viewer.getCamera();
+    camera.setClearColor(osg::Vec4(0, 0, 0, 0));
+    camera.setRenderTargetImplementation(osg::Camera::FRAME_BUFFER_OBJECT);
+    _image = new osg::Image;
+    _image->allocateImage(width, height, 1, GL_RGBA, GL_FLOAT);
+    _image->setInternalTextureFormat(GL_RGBA32F_ARB);
+    camera.attach(osg::Camera::COLOR_BUFFER, _image.get());
+    _window->getState()->setCheckForGLErrors(osg::State::ONCE_PER_ATTRIBUTE);
+    lookAt(osg::Vec3d(0, -4, 0), osg::Vec3d());
+}
+
+void SceneRenderer::lookAt(const osg::Vec3d& eye, const osg::Vec3d& target, const osg::Vec3d& up, double fovy)
+{
+    _viewer.getCamera()->setProjectionMatrixAsPerspective(fovy, double(_width) / _height, 1.0, 10000.0);
+    _viewer.getCamera()->setViewMatrixAsLookAt(eye, target, up);
+}
+
+Picture SceneRenderer::render(osg::Node* scene, int frames)
+{
+    if (_viewer.getSceneData() != scene) _viewer.setSceneData(scene);
+    for (int i = 0; i < frames; ++i) _viewer.frame(_time += 1.0 / 30.0);
+    Picture picture{_width, _height, {}};
+    const float* p = reinterpret_cast<const float*>(_image->data());
+    picture.rgba.assign(p, p + 4 * size_t(_width * _height));
+    return picture;
+}
+
+osg::ref_ptr<osg::Image> constantMap(double radiance)
+{
+    return makeMap(64, 32, [&](const osg::Vec3d&) { return osg::Vec3d(radiance, radiance, radiance); });
+}
+
+osg::Vec3d sixDirectionColor(const osg::Vec3d& d)
+{
+    const double x = std::abs(d.x());
+    const double y = std::abs(d.y());
+    const double z = std::abs(d.z());
+    if (x >= y && x >= z) return d.x() > 0 ? osg::Vec3d(1, 0, 0) : osg::Vec3d(0, 1, 1);
+    if (y >= z) return d.y() > 0 ? osg::Vec3d(0, 1, 0) : osg::Vec3d(1, 0, 1);
+    return d.z() > 0 ? osg::Vec3d(0, 0, 1) : osg::Vec3d(1, 1, 0);
+}
+
+namespace
+{
+
+osg::ref_ptr<osg::Geode> makeGeode(osg::Vec3Array* vertices, osg::Vec3Array* normals, osg::DrawElementsUInt* triangles)
+{
+    osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+    geometry->setUseDisplayList(false);
+    geometry->setUseVertexBufferObjects(true);
+    geometry->setVertexArray(vertices);
+    geometry->setNormalArray(normals, osg::Array::BIND_PER_VERTEX);
+    geometry->addPrimitiveSet(triangles);
+    osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+    geode->addDrawable(geometry);
+    geode->getOrCreateStateSet();
+    return geode;
+}
+
+void addQuad(osg::Vec3Array& vertices, osg::Vec3Array& normals, osg::DrawElementsUInt& triangles, const osg::Vec3d& corner,
+             const osg::Vec3d& a, const osg::Vec3d& b)
+{
+    osg::Vec3d n = a ^ b;
+    n.normalize();
+    const unsigned base = unsigned(vertices.size());
+    for (const osg::Vec3d& v : {corner, corner + a, corner + a + b, corner + b}) {
+        vertices.push_back(v);
+        normals.push_back(n);
+    }
+    for (unsigned i : {0u, 1u, 2u, 0u, 2u, 3u}) triangles.push_back(base + i);
+}
+
+} // namespace
+
+osg::ref_ptr<osg::Geode> makeSphere(const osg::Vec3d& center, double radius, int segments)
+{
+    osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
+    osg::ref_ptr<osg::Vec3Array> normals = new osg::Vec3Array;
+    osg::ref_ptr<osg::DrawElementsUInt> triangles = new osg::DrawElementsUInt(GL_TRIANGLES);
+    const int rows = segments / 2;
+    for (int j = 0; j <= rows; ++j)
+        for (int i = 0; i <= segments; ++i) {
+            const double theta = osg::PI * j / rows;
+            const double phi = 2.0 * osg::PI * i / segments;
+            const osg::Vec3d n(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
+            vertices->push_back(center + n * radius);
+            normals->push_back(n);
+        }
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < segments; ++i) {
+            const unsigned a = unsigned(j * (segments + 1) + i);
+            const unsigned b = a + unsigned(segments) + 1;
+            for (unsigned k : {a, b, b + 1, a, b + 1, a + 1}) triangles->push_back(k);
+        }
+    return makeGeode(vertices.get(), normals.get(), triangles.get());
+}
+
+osg::ref_ptr<osg::Geode> makeQuad(const osg::Vec3d& corner, const osg::Vec3d& a, const osg::Vec3d& b)
+{
+    osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
+    osg::ref_ptr<osg::Vec3Array> normals = new osg::Vec3Array;
+    osg::ref_ptr<osg::DrawElementsUInt> triangles = new osg::DrawElementsUInt(GL_TRIANGLES);
+    addQuad(*vertices, *normals, *triangles, corner, a, b);
+    return makeGeode(vertices.get(), normals.get(), triangles.get());
+}
+
+osg::ref_ptr<osg::Geode> makeBox(const osg::Vec3d& low, const osg::Vec3d& high)
+{
+    osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
+    osg::ref_ptr<osg::Vec3Array> normals = new osg::Vec3Array;
+    osg::ref_ptr<osg::DrawElementsUInt> triangles = new osg::DrawElementsUInt(GL_TRIANGLES);
+    const osg::Vec3d d = high - low;
+    const osg::Vec3d x(d.x(), 0, 0);
+    const osg::Vec3d y(0, d.y(), 0);
+    const osg::Vec3d z(0, 0, d.z());
+    addQuad(*vertices, *normals, *triangles, low, y, x);
+    addQuad(*vertices, *normals, *triangles, low + z, x, y);
+    addQuad(*vertices, *normals, *triangles, low, x, z);
+    addQuad(*vertices, *normals, *triangles, low + y, z, x);
+    addQuad(*vertices, *normals, *triangles, low, z, y);
+    addQuad(*vertices, *normals, *triangles, low + x, y, z);
+    return makeGeode(vertices.get(), normals.get(), triangles.get());
+}
+
+osg::ref_ptr<osgEnvLight::LitScene> makeLit(osg::Image* map)
+{
+    osg::ref_ptr<osgEnvLight::LitScene> lit = new osgEnvLight::LitScene(map);
+    lit->getSettings()->output = osgEnvLight::Settings::LINEAR;
+    return lit;
+}
+
+class NotifyCatcher::Handler : public osg::NotifyHandler
+{
+  public:
+    void notify(osg::NotifySeverity severity, const char* message) override
+    {
+        if (severity <= osg::NOTICE) text += message;
+    }
+    std::string text;
+};
+
+NotifyCatcher::NotifyCatcher() : _former(osg::getNotifyHandler()), _handler(new Handler)
+{
+    osg::setNotifyHandler(_handler.get());
+}
+
+NotifyCatcher::~NotifyCatcher()
+{
+    osg::setNotifyHandler(_former.get());
+}
+
+const std::string& NotifyCatcher::text() const
+{
+    return _handler->text;
+}
+
+void NotifyCatcher::clear()
+{
+    _handler->text.clear();
+}
