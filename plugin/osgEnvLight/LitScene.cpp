@@ -57,13 +57,14 @@ void LitScene::traverse(osg::NodeVisitor& nv)
 void LitScene::goHome(osgGA::EventVisitor& ev)
 {
     auto* view = dynamic_cast<osgViewer::View*>(ev.getActionAdapter());
-    if (!view || !view->getCameraManipulator()) return;
+    const osgGA::GUIEventAdapter* event = ev.getEvents().empty() ? nullptr : ev.getEvents().front()->asGUIEventAdapter();
+    if (!view || !view->getCameraManipulator() || !event) return;
     _homeGiven = true;
     double fovy, aspect, near, far;
     if (view->getCamera()->getProjectionMatrixAsPerspective(fovy, aspect, near, far))
         view->getCamera()->setProjectionMatrixAsPerspective(_homeView->fovy, aspect, near, far);
     view->getCameraManipulator()->setHomePosition(_homeView->eye, _homeView->target, _homeView->up);
-    view->getCameraManipulator()->home(0.0);
+    view->getCameraManipulator()->home(*event, *view);
 }
 
 void LitScene::handleEvents(osgGA::EventVisitor& ev)

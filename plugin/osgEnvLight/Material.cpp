@@ -9,14 +9,8 @@ namespace osgEnvLight
 namespace
 {
 
-const char* const defines[] = {"ENVLIGHT_LAMBERT", "ENVLIGHT_PHONG", "ENVLIGHT_COOK_TORRANCE"};
-
-// The others are switched off, or those of a state set above would stay defined beside this one's.
-void choose(osg::StateSet& stateSet, Material::Brdf brdf)
-{
-    for (int i = 0; i < 3; ++i)
-        stateSet.setDefine(defines[i], i == brdf ? osg::StateAttribute::ON : osg::StateAttribute::OFF);
-}
+// Which BRDF, for the CPU. A uniform and not a define, because OSG's XML files lose their place at a list of defines.
+const char* const brdfUniform = "envlightBrdf";
 
 template <class T>
 void setUniform(osg::StateSet& stateSet, const char* name, const T& value)
@@ -28,13 +22,13 @@ void setUniform(osg::StateSet& stateSet, const char* name, const T& value)
 
 void Material::setLambert(osg::StateSet& stateSet, const osg::Vec3f& diffuse)
 {
-    choose(stateSet, LAMBERT);
+    setUniform(stateSet, brdfUniform, int(LAMBERT));
     setUniform(stateSet, "envlightDiffuse", diffuse);
 }
 
 void Material::setPhong(osg::StateSet& stateSet, const osg::Vec3f& diffuse, const osg::Vec3f& specular, float exponent)
 {
-    choose(stateSet, PHONG);
+    setUniform(stateSet, brdfUniform, int(PHONG));
     setUniform(stateSet, "envlightDiffuse", diffuse);
     setUniform(stateSet, "envlightSpecular", specular);
     setUniform(stateSet, "envlightExponent", exponent);
@@ -42,7 +36,7 @@ void Material::setPhong(osg::StateSet& stateSet, const osg::Vec3f& diffuse, cons
 
 void Material::setCookTorrance(osg::StateSet& stateSet, const osg::Vec3f& baseColor, float metalness, float roughness)
 {
-    choose(stateSet, COOK_TORRANCE);
+    setUniform(stateSet, brdfUniform, int(COOK_TORRANCE));
     setUniform(stateSet, "envlightBaseColor", baseColor);
     setUniform(stateSet, "envlightMetalness", metalness);
     setUniform(stateSet, "envlightRoughness", roughness);
@@ -50,11 +44,9 @@ void Material::setCookTorrance(osg::StateSet& stateSet, const osg::Vec3f& baseCo
 
 int Material::brdfOf(const osg::StateSet& stateSet, int inherited)
 {
-    for (int i = 0; i < 3; ++i) {
-        const osg::StateSet::DefinePair* define = stateSet.getDefinePair(defines[i]);
-        if (define && (define->second & osg::StateAttribute::ON)) return i;
-    }
-    return inherited;
+    const osg::Uniform* uniform = stateSet.getUniform(brdfUniform);
+    int brdf = inherited;
+    return uniform && uniform->get(brdf) && brdf >= LAMBERT && brdf <= COOK_TORRANCE ? brdf : inherited;
 }
 
 } // namespace osgEnvLight

@@ -10,6 +10,7 @@
 #include <osg/TexGen>
 #include <osg/Texture>
 
+#include <iterator>
 #include <unordered_map>
 
 namespace osgEnvLight
@@ -82,7 +83,7 @@ struct EffectiveState {
             texGenMode.merge(s.getTextureAttributePair(0, osg::StateAttribute::TEXGEN));
         }
         if (s.getAttribute(osg::StateAttribute::PROGRAM)) ownProgram = !s.getDefinePair(SurfaceSorter::gbufferDefine);
-        if (!s.getDefineList().empty()) brdf = Material::brdfOf(s, brdf);
+        if (!s.getUniformList().empty()) brdf = Material::brdfOf(s, brdf);
     }
 
     const osg::Material* osgMaterial() const { return static_cast<const osg::Material*>(material.attribute); }
@@ -194,6 +195,7 @@ class SurfaceSort
                                             material->getColorMode() == osg::Material::AMBIENT_AND_DIFFUSE);
         if (state.brdf < 0 && (unlit || !material || colorMode)) bits |= SurfaceSorter::VERTEX_COLOR;
         if (state.brdf < 0 && !unlit && material && hasLobe(*material)) bits |= SurfaceSorter::PHONG_MATERIAL;
+        if (state.brdf >= 0) bits |= unsigned(SurfaceSorter::ENVLIGHT_LAMBERT) << state.brdf;
         return bits;
     }
 
@@ -243,12 +245,13 @@ class SurfaceSort
 const osg::StateSet* SurfaceSorter::variant(unsigned bits)
 {
     static const char* const defines[] = {"NO_TEXTURE",   "LINEAR_TEXTURE", "TEXTURE_REPLACE", "UNLIT",
-                                          "VERTEX_COLOR", "FACE_NORMAL",    "PHONG_MATERIAL"};
+                                          "VERTEX_COLOR", "FACE_NORMAL",    "PHONG_MATERIAL",  "ENVLIGHT_LAMBERT",
+                                          "ENVLIGHT_PHONG", "ENVLIGHT_COOK_TORRANCE"};
     std::lock_guard<std::mutex> lock(_mutex);
     osg::ref_ptr<osg::StateSet>& stateSet = _variants[bits];
     if (!stateSet) {
         stateSet = new osg::StateSet;
-        for (unsigned i = 0; i < 7; ++i)
+        for (unsigned i = 0; i < std::size(defines); ++i)
             if (bits >> i & 1) stateSet->setDefine(defines[i]);
     }
     return stateSet.get();

@@ -52,7 +52,8 @@ bool readImage(osgDB::InputStream& is, EnvironmentMap& map)
 
 } // namespace
 
-REGISTER_OBJECT_WRAPPER(osgEnvLight_EnvironmentMap, new EnvironmentMap, EnvironmentMap, "osg::Object osgEnvLight::EnvironmentMap")
+REGISTER_OBJECT_WRAPPER(osgEnvLight_EnvironmentMap, new osgEnvLight::EnvironmentMap, osgEnvLight::EnvironmentMap,
+                        "osg::Object osgEnvLight::EnvironmentMap")
 {
     wrapper->addSerializer(new osgDB::UserSerializer<MyClass>("Map", checkMap, readMap, writeMap), osgDB::BaseSerializer::RW_USER);
     wrapper->addSerializer(new osgDB::UserSerializer<MyClass>("Image", checkImage, readImage, writeImage),

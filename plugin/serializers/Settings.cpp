@@ -83,7 +83,8 @@ osgDB::BaseSerializer::Type typeOf(const Settings::Property& p)
 
 } // namespace
 
-REGISTER_OBJECT_WRAPPER(osgEnvLight_Settings, new Settings, Settings, "osg::Object osgEnvLight::Settings")
+// The macro takes the name of the class from its third argument, so that must be qualified.
+REGISTER_OBJECT_WRAPPER(osgEnvLight_Settings, new osgEnvLight::Settings, osgEnvLight::Settings, "osg::Object osgEnvLight::Settings")
 {
     for (const Settings::Property& p : Settings::table()) wrapper->addSerializer(new PropertySerializer(p), typeOf(p));
 }

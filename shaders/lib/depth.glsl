@@ -10,10 +10,11 @@ vec3 eyeFromDepth(mat4 inverseProjection, vec2 ndc, float depth)
     return vec3(q) / q.w;
 }
 
-// Unit direction away from the eye along the view ray through ndc, parallel rays included.
+// Unit direction away from the eye along the view ray through ndc, parallel rays included. Between depths 0 and 1/2: in
+// float a far plane 1e8 times the near one is at infinity.
 vec3 viewRay(mat4 inverseProjection, vec2 ndc)
 {
-    return normalize(eyeFromDepth(inverseProjection, ndc, 1.0) - eyeFromDepth(inverseProjection, ndc, 0.0));
+    return normalize(eyeFromDepth(inverseProjection, ndc, 0.5) - eyeFromDepth(inverseProjection, ndc, 0.0));
 }
 
 // Length in eye units of one pixel's side at depth, across the view ray.

@@ -47,10 +47,11 @@ vec3 ggxVisibleNormalSample(vec3 v, float alpha, vec2 u)
 {
     vec3 w = normalize(vec3(alpha * v.x, alpha * v.y, v.z));
     float phi = TWO_PI * u.x;
-    float z = (1.0 - u.y) * (1.0 + w.z) - w.z;
-    float s = sqrt(clamp(1.0 - z * z, 0.0, 1.0));
-    vec3 h = vec3(s * cos(phi), s * sin(phi), z) + w;
-    return normalize(vec3(alpha * h.x, alpha * h.y, max(h.z, 1e-7)));
+    // The cap's point has height c = z - w.z: 1 - c and 1 + c are written without differences, which would lose the
+    // float's digits for u.y near 0 and 1.
+    float z = (1.0 - u.y) * (1.0 + w.z);
+    float s = sqrt(u.y * (1.0 + w.z) * (z + (w.x * w.x + w.y * w.y) / (1.0 + w.z)));
+    return normalize(vec3(alpha * (s * cos(phi) + w.x), alpha * (s * sin(phi) + w.y), max(z, 1e-7)));
 }
 
 // Density per solid angle of the direction l that reflects v at a sampled visible normal h: D G1 / (4 v.z).

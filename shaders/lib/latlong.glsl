@@ -25,11 +25,11 @@ vec3 directionFromLatlong(vec2 uv)
 }
 
 // Exact solid angle [sr] of a texel of row y (0 at the top) in an image of size.x by size.y texels. The product form
-// of cos(top) - cos(bottom) does not cancel at the poles.
+// of cos(top) - cos(bottom) does not cancel at the poles; the sine is that of the angle from the nearer pole.
 float latlongTexelSolidAngle(float y, vec2 size)
 {
     float dTheta = PI / size.y;
-    return TWO_PI / size.x * 2.0 * sin((y + 0.5) * dTheta) * sin(0.5 * dTheta);
+    return TWO_PI / size.x * 2.0 * sin((min(y, size.y - 1.0 - y) + 0.5) * dTheta) * sin(0.5 * dTheta);
 }
 
 #endif

@@ -44,6 +44,26 @@ void makeTexture(GLuint texture, int width, int height, const float* texels, boo
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
+GLuint makeProgram(const std::string& vertex, const std::string& fragment)
+{
+    const GLuint program = glCreateProgram();
+    std::string log;
+    for (GLuint shader : {makeShader(GL_VERTEX_SHADER, vertex), makeShader(GL_FRAGMENT_SHADER, fragment)}) {
+        log += logOf(shader);
+        glAttachShader(program, shader);
+        glDeleteShader(shader);
+    }
+    glLinkProgram(program);
+    GLint linked = 0;
+    glGetProgramiv(program, GL_LINK_STATUS, &linked);
+    if (linked) return program;
+    std::string linkLog(4096, '\0');
+    GLsizei length = 0;
+    glGetProgramInfoLog(program, GLsizei(linkLog.size()), &length, linkLog.data());
+    glDeleteProgram(program);
+    throw std::runtime_error("does not link: " + log + linkLog.substr(0, size_t(length)));
+}
+
 void drawTriangle()
 {
     glBegin(GL_TRIANGLES);
@@ -57,37 +77,20 @@ void drawTriangle()
 
 GlContext::GlContext() = default;
 
-std::string GlContext::compile(bool vertex, const std::string& text) const
+std::string GlContext::link(const std::string& vertex, const std::string& fragment) const
 {
-    const GLuint shader = makeShader(vertex ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER, text);
-    const std::string log = logOf(shader);
-    glDeleteShader(shader);
-    return log;
-}
-
-unsigned GlContext::build(const std::string& fragment) const
-{
-    const GLuint shaders[] = {
-        makeShader(GL_VERTEX_SHADER, "#version 330 compatibility\nvoid main() { gl_Position = vec4(gl_Vertex.xy, 0.0, 1.0); }\n"),
-        makeShader(GL_FRAGMENT_SHADER, fragment)};
-    const GLuint program = glCreateProgram();
-    std::string log;
-    for (GLuint shader : shaders) {
-        log += logOf(shader);
-        glAttachShader(program, shader);
-        glDeleteShader(shader);
+    try {
+        glDeleteProgram(makeProgram(vertex, fragment));
+        return std::string();
+    } catch (const std::runtime_error& e) {
+        return e.what();
     }
-    glLinkProgram(program);
-    GLint linked = 0;
-    glGetProgramiv(program, GL_LINK_STATUS, &linked);
-    if (linked) return program;
-    glDeleteProgram(program);
-    throw std::runtime_error("test shader does not link: " + log + "\n" + fragment);
 }
 
 std::vector<float> GlContext::render(const std::string& fragment, int width, int height, const std::vector<Texture>& textures) const
 {
-    const GLuint program = build(fragment);
+    const GLuint program =
+        makeProgram("#version 330 compatibility\nvoid main() { gl_Position = vec4(gl_Vertex.xy, 0.0, 1.0); }\n", fragment);
     glUseProgram(program);
     std::vector<GLuint> names(textures.size() + 1);
     glGenTextures(GLsizei(names.size()), names.data());

@@ -26,8 +26,8 @@ class GlContext
 
     std::string renderer() const { return _context.renderer(); }
 
-    /** Compile one shader. Empty, or the driver's log. */
-    std::string compile(bool vertex, const std::string& text) const;
+    /** Compile and link. Empty, or the driver's log. */
+    std::string link(const std::string& vertex, const std::string& fragment) const;
 
     /** Draw over width x height pixels of RGBA 32F and read them back, row 0 first. Throws with the driver's log. */
     std::vector<float> render(const std::string& fragment, int width, int height, const std::vector<Texture>& textures) const;
@@ -38,7 +38,5 @@ class GlContext
                                     const std::vector<std::vector<glm::vec4>>& inputs, const std::vector<Texture>& textures = {}) const;
 
   private:
-    unsigned build(const std::string& fragment) const;
-
     HeadlessContext _context;
 };

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// Every program of shaders/pass, with every set of the defines it imports, is valid GLSL to the reference compiler and
+// links in this machine's driver.
+#include <gtest/gtest.h>
+
+#include <osgEnvLight/ShaderLibrary>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+#include "GlContext.h"
+
+using osgEnvLight::ShaderLibrary;
+namespace fs = std::filesystem;
+
+namespace
+{
+
+using Defines = std::vector<std::string>;
+
+std::string expanded(const std::string& name)
+{
+    return osg::ref_ptr<ShaderLibrary>(new ShaderLibrary(nullptr))->expand(name).text;
+}
+
+std::vector<std::string> programs(const std::string& extension)
+{
+    std::vector<std::string> result;
+    for (const std::string& name : ShaderLibrary::names())
+        if (fs::path(name).extension() == extension) result.push_back(name);
+    return result;
+}
+
+Defines imported(const std::string& text)
+{
+    static const std::regex pragma("#pragma import_defines\\(([^)]*)\\)");
+    static const std::regex word("\\w+");
+    Defines result;
+    for (std::sregex_iterator p(text.begin(), text.end(), pragma), none; p != none; ++p) {
+        const std::string list = (*p)[1].str();
+        for (std::sregex_iterator w(list.begin(), list.end(), word); w != none; ++w) result.push_back(w->str());
+    }
+    return result;
+}
+
+// All subsets of up to 6 defines; of more: none, each alone, all.
+std::vector<Defines> variants(const Defines& defines)
+{
+    std::vector<Defines> result;
+    if (defines.size() <= 6) {
+        for (size_t bits = 0; bits < (size_t(1) << defines.size()); ++bits) {
+            Defines set;
+            for (size_t i = 0; i < defines.size(); ++i)
+                if (bits >> i & 1) set.push_back(defines[i]);
+            result.push_back(set);
+        }
+        return result;
+    }
+    result.push_back({});
+    for (const std::string& d : defines) result.push_back({d});
+    result.push_back(defines);
+    return result;
+}
+
+// As osg::Shader inserts them, behind #version
+std::string withDefines(const std::string& text, const Defines& defines)
+{
+    const size_t at = text.find('\n') + 1;
+    std::string lines;
+    for (const std::string& d : defines) lines += "#define " + d + "\n";
+    return text.substr(0, at) + lines + text.substr(at);
+}
+
+std::string listOf(const Defines& defines)
+{
+    std::string result = "{";
+    for (const std::string& d : defines) result += " " + d;
+    return result + " }";
+}
+
+std::string outputOf(const std::string& command, int& status)
+{
+    std::string output;
+    char buffer[4096];
+    FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+    while (const size_t n = fread(buffer, 1, sizeof(buffer), pipe)) output.append(buffer, n);
+    status = pclose(pipe);
+    return output;
+}
+
+// glslangValidator's status for one text, as a file of that extension.
+std::string validate(const std::string& text, const std::string& extension, int& status)
+{
+    const fs::path file = fs::path(testing::TempDir()) / ("envlight_validation_" + std::to_string(std::uintptr_t(&text)) + extension);
+    std::ofstream(file) << text;
+    const std::string output = outputOf("'" GLSLANG_VALIDATOR "' '" + file.string() + "'", status);
+    fs::remove(file);
+    return output;
+}
+
+} // namespace
+
+TEST(validation, EveryProgramHasADefineSet)
+{
+    EXPECT_GE(programs(".frag").size(), 7u);
+    EXPECT_GE(programs(".vert").size(), 2u);
+    EXPECT_EQ(variants(imported("#pragma import_defines(A, B)\n")).size(), 4u);
+    EXPECT_EQ(variants(imported("#pragma import_defines(A, B, C, D, E, F, G)\n")).size(), 9u);
+}
+
+TEST(validation, GlslangAcceptsEveryVariant)
+{
+    if (std::string(GLSLANG_VALIDATOR).empty()) GTEST_SKIP() << "glslangValidator (package glslang-tools) is not installed";
+    int status = 0;
+    validate("#version 330\nvoid main() { fault; }\n", ".frag", status);
+    ASSERT_NE(status, 0); // it does judge
+    for (const char* extension : {".vert", ".frag"})
+        for (const std::string& name : programs(extension)) {
+            const std::string text = expanded(name);
+            for (const Defines& set : variants(imported(text))) {
+                const std::string output = validate(withDefines(text, set), extension, status);
+                EXPECT_EQ(status, 0) << name << " " << listOf(set) << "\n" << output;
+            }
+        }
+}
+
+TEST(validation, TheDriverLinksEveryVariant)
+{
+    const GlContext context;
+    const std::string surface = expanded("pass/surface.vert");
+    const std::string fullscreen = expanded("pass/fullscreen.vert");
+    EXPECT_NE(context.link(fullscreen, "#version 330\nvoid main() { fault; }\n"), "");
+    for (const std::string& name : programs(".frag")) {
+        const std::string text = expanded(name);
+        const std::string& vertex = text.find("in vec3 eyePosition;") != std::string::npos ? surface : fullscreen;
+        for (const Defines& set : variants(imported(text)))
+            EXPECT_EQ(context.link(withDefines(vertex, set), withDefines(text, set)), "") << name << " " << listOf(set);
+    }
+}

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+// The node as a guest: what the host had before it is what the host has after it.
+#include <SceneRenderer.h>
+
+#include <osgEnvLight/Material>
+
+#include <osg/BlendFunc>
+#include <osg/Material>
+#include <osgUtil/LineSegmentIntersector>
+#include <osgUtil/IntersectionVisitor>
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+using osgEnvLight::LitScene;
+
+namespace
+{
+
+osg::ref_ptr<osg::Geode> coloured(osg::ref_ptr<osg::Geode> geode, const osg::Vec4& color)
+{
+    osg::ref_ptr<osg::Material> m = new osg::Material;
+    m->setDiffuse(osg::Material::FRONT_AND_BACK, color);
+    m->setSpecular(osg::Material::FRONT_AND_BACK, osg::Vec4(0.3f, 0.3f, 0.3f, 1));
+    m->setShininess(osg::Material::FRONT_AND_BACK, 40.0f);
+    geode->getOrCreateStateSet()->setAttributeAndModes(m.get());
+    if (color.a() < 1.0f) {
+        geode->getOrCreateStateSet()->setMode(GL_BLEND, osg::StateAttribute::ON);
+        geode->getOrCreateStateSet()->setRenderingHint(osg::StateSet::TRANSPARENT_BIN);
+    }
+    return geode;
+}
+
+// Opaque and transparent, glossy and not.
+osg::ref_ptr<osg::Group> makeModel()
+{
+    osg::ref_ptr<osg::Group> group = new osg::Group;
+    group->addChild(coloured(makeSphere(osg::Vec3d(-0.7, 0, 0), 0.6), osg::Vec4(0.8f, 0.2f, 0.2f, 1)));
+    group->addChild(coloured(makeSphere(osg::Vec3d(0.7, 0, 0), 0.6), osg::Vec4(0.2f, 0.2f, 0.8f, 0.4f)));
+    group->addChild(makeQuad(osg::Vec3d(-2, -2, -0.7), osg::Vec3d(4, 0, 0), osg::Vec3d(0, 4, 0)));
+    return group;
+}
+
+osg::ref_ptr<osg::Node> makeSibling()
+{
+    return coloured(makeBox(osg::Vec3d(-0.2, -0.5, -0.7), osg::Vec3d(0.2, 0.5, 0.2)), osg::Vec4(0.2f, 0.8f, 0.2f, 1));
+}
+
+struct GlObjects {
+    int textures = 0;
+    int buffers = 0;
+    int frameBuffers = 0;
+    int programs = 0;
+    int queries = 0;
+
+    bool operator==(const GlObjects& o) const
+    {
+        return textures == o.textures && buffers == o.buffers && frameBuffers == o.frameBuffers && programs == o.programs &&
+               queries == o.queries;
+    }
+};
+
+GlObjects countGlObjects(osg::State& state)
+{
+    const auto* ext = state.get<osg::GLExtensions>();
+    auto isFrameBuffer = reinterpret_cast<GLboolean (*)(GLuint)>(osg::getGLExtensionFuncPtr("glIsFramebuffer"));
+    GlObjects n;
+    for (GLuint i = 1; i < 4096; ++i) {
+        n.textures += glIsTexture(i);
+        n.buffers += ext->glIsBuffer(i);
+        n.frameBuffers += isFrameBuffer(i);
+        n.programs += ext->glIsProgram(i);
+        n.queries += ext->glIsQuery(i);
+    }
+    return n;
+}
+
+long residentKilobytes()
+{
+    std::ifstream in("/proc/self/statm");
+    long size = 0;
+    long resident = 0;
+    in >> size >> resident;
+    return resident * 4;
+}
+
+} // namespace
+
+TEST(Host, RemovalRestoresThePictureByteForByte)
+{
+    SceneRenderer renderer(160, 120);
+    renderer.lookAt(osg::Vec3d(0.6, -4, 1.5), osg::Vec3d());
+    osg::ref_ptr<osg::Group> root = new osg::Group;
+    osg::ref_ptr<osg::Group> model = makeModel();
+    root->addChild(model);
+    root->addChild(makeSibling());
+    const Picture before = renderer.render(root, 3);
+    osg::ref_ptr<LitScene> lit = new LitScene;
+    lit->addChild(model);
+    root->replaceChild(model, lit);
+    EXPECT_GT(rootMeanSquare(before, renderer.render(root, 3)), 0.01); // it did light
+    root->replaceChild(lit, model);
+    lit = nullptr;
+    const Picture after = renderer.render(root, 1);
+    EXPECT_EQ(before.rgba, after.rgba);
+}
+
+TEST(Host, SiblingsOfAnEmptyNodeAreUntouched)
+{
+    SceneRenderer renderer(160, 120);
+    osg::ref_ptr<osg::Group> root = new osg::Group;
+    root->addChild(makeModel());
+    const Picture before = renderer.render(root, 2);
+    osg::ref_ptr<LitScene> lit = new LitScene;
+    lit->getSettings()->background = osgEnvLight::Settings::BACKGROUND_OFF;
+    root->insertChild(0, lit);
+    EXPECT_EQ(before.rgba, renderer.render(root, 2).rgba);
+}
+
+TEST(Host, StateSetsOfTheModelAreNotChanged)
+{
+    SceneRenderer renderer(32, 32);
+    osg::ref_ptr<osg::Group> model = makeModel();
+    std::vector<osg::ref_ptr<osg::StateSet>> copies;
+    for (unsigned i = 0; i < model->getNumChildren(); ++i)
+        copies.push_back(new osg::StateSet(*model->getChild(i)->getStateSet(), osg::CopyOp::DEEP_COPY_ALL));
+    osg::ref_ptr<LitScene> lit = new LitScene;
+    lit->addChild(model);
+    renderer.render(lit, 3);
+    for (unsigned i = 0; i < model->getNumChildren(); ++i)
+        EXPECT_EQ(0, copies[i]->compare(*model->getChild(i)->getStateSet(), true)) << "child " << i;
+    EXPECT_EQ(nullptr, model->getStateSet());
+}
+
+TEST(Host, AddingAndRemovingAHundredTimesLeaksNothing)
+{
+    SceneRenderer renderer(64, 64);
+    osg::ref_ptr<osg::Group> root = new osg::Group;
+    osg::ref_ptr<osg::Group> model = makeModel();
+    root->addChild(model);
+    osg::ref_ptr<osg::Image> map = constantMap(1.0);
+    auto round = [&] {
+        osg::ref_ptr<LitScene> lit = new LitScene(map);
+        lit->setTimed(true);
+        lit->addChild(model);
+        root->replaceChild(model, lit);
+        renderer.render(root, 6); // timers hold queries after four
+        EXPECT_EQ(1u, lit->numViews());
+        root->replaceChild(lit, model);
+        lit = nullptr;
+        renderer.render(root, 2);
+        osg::flushAllDeletedGLObjects(renderer.state().getContextID());
+    };
+    for (int i = 0; i < 10; ++i) round(); // pools and caches fill
+    const GlObjects before = countGlObjects(renderer.state());
+    const long kilobytes = residentKilobytes();
+    for (int i = 0; i < 100; ++i) round();
+    const GlObjects after = countGlObjects(renderer.state());
+    EXPECT_EQ(before.textures, after.textures);
+    EXPECT_EQ(before.buffers, after.buffers);
+    EXPECT_EQ(before.frameBuffers, after.frameBuffers);
+    EXPECT_EQ(before.programs, after.programs);
+    EXPECT_EQ(before.queries, after.queries);
+    // One round's own data is over 1 MB; the allocators and the driver's caches of shaders may keep some of it.
+    EXPECT_LT(residentKilobytes() - kilobytes, 100 * 200);
+}
+
+TEST(Host, NoGlErrorAndNoWarning)
+{
+    SceneRenderer renderer(64, 64);
+    NotifyCatcher notify;
+    osg::ref_ptr<LitScene> lit = new LitScene;
+    lit->addChild(makeModel());
+    lit->setTimed(true);
+    for (int view = 0; view < osgEnvLight::Settings::NUM_VIEWS; ++view) {
+        lit->getSettings()->view = view;
+        lit->getSettings()->background = view % 3;
+        EXPECT_TRUE(renderer.render(lit, 3).finite());
+    }
+    EXPECT_EQ("", notify.text()); // State checks for errors after every attribute, and reports them here
+}
+
+TEST(Host, PickingThroughTheNodeIsPickingDirectly)
+{
+    osg::ref_ptr<osg::Group> model = makeModel();
+    osg::ref_ptr<LitScene> lit = new LitScene;
+    lit->addChild(model);
+    auto pick = [](osg::Node* node) {
+        osg::ref_ptr<osgUtil::LineSegmentIntersector> line =
+            new osgUtil::LineSegmentIntersector(osg::Vec3d(-0.7, -5, 0.1), osg::Vec3d(-0.7, 5, 0.1));
+        osgUtil::IntersectionVisitor visitor(line.get());
+        node->accept(visitor);
+        return line->containsIntersections() ? line->getFirstIntersection().getWorldIntersectPoint() : osg::Vec3d();
+    };
+    EXPECT_EQ(pick(model), pick(lit));
+    EXPECT_EQ(model->getBound().radius(), lit->getBound().radius());
+}
+
+TEST(Host, BadSettingsAreReportedOnceAndTheLastValidOnesStay)
+{
+    SceneRenderer renderer(48, 48);
+    osg::ref_ptr<LitScene> lit = makeLit(constantMap(1.0).get());
+    lit->addChild(makeModel());
+    const Picture before = renderer.render(lit, 2);
+    NotifyCatcher notify;
+    lit->getSettings()->occlusionLights = -3;
+    EXPECT_EQ(before.rgba, renderer.render(lit, 3).rgba);
+    EXPECT_NE(std::string::npos, notify.text().find("occlusionLights"));
+    EXPECT_NE(std::string::npos, notify.text().find("16..65536"));
+    EXPECT_EQ(notify.text().find("occlusionLights"), notify.text().rfind("occlusionLights"));
+}
+
+TEST(Host, AMapThatChangesIsSeenAtTheNextFrame)
+{
+    SceneRenderer renderer(48, 48);
+    osg::ref_ptr<osg::Image> map = constantMap(1.0);
+    osg::ref_ptr<LitScene> lit = makeLit(map.get());
+    lit->addChild(makeSphere(osg::Vec3d(), 1.0));
+    osgEnvLight::Material::setLambert(*lit->getChild(0)->getOrCreateStateSet(), osg::Vec3f(1, 1, 1));
+    EXPECT_NEAR(renderer.render(lit, 2).color(24, 24)[0], 1.0, 0.005);
+    std::fill_n(reinterpret_cast<float*>(map->data()), map->getTotalSizeInBytes() / sizeof(float), 3.0f);
+    EXPECT_NEAR(renderer.render(lit, 1).color(24, 24)[0], 1.0, 0.005); // not told yet: nothing is rebuilt
+    map->dirty();
+    EXPECT_NEAR(renderer.render(lit, 1).color(24, 24)[0], 3.0, 0.015);
+}
