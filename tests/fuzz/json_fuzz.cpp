@@ -17,7 +17,7 @@ void require(bool read, const std::string& error)
     if (!read && error.rfind("fuzz: ", 0) != 0) std::abort();
 }
 
-} // namespace
+}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

@@ -37,7 +37,8 @@ std::vector<Row> colourRows()
     std::vector<Row> rows;
     for (double x : {0.0, 1e-6, 0.0031308, 0.04045, 0.08, 0.76, 0.8, 1.0, 10.0, 1e6}) rows.push_back({toFloat(vec3(x))});
     while (rows.size() < 2000)
-        rows.push_back({toFloat(vec3(std::exp(random.uniform(-10, 8)), std::exp(random.uniform(-10, 8)), std::exp(random.uniform(-10, 8))))});
+        rows.push_back({toFloat(
+            vec3(std::exp(random.uniform(-10, 8)), std::exp(random.uniform(-10, 8)), std::exp(random.uniform(-10, 8))))});
     return rows;
 }
 
@@ -63,47 +64,53 @@ mat4 matrixOf(const std::vector<vec4>& in)
     return mat4(in[0], in[1], in[2], in[3]);
 }
 
-
-} // namespace
+}  // namespace
 
 TEST(parity, latlongFromDirection)
 {
     // Beside the seam u may come out at either end of [0,1].
-    expectParity({"lib/latlong.glsl"}, "vec2 uv = latlongFromDirection(a.xyz); result = vec4(abs(uv.x - 0.5), uv.y, 0.0, 0.0);", rowsOf(directions(4000, 52)),
-                 [](auto& in) {
-                     const vec2 uv = glsl::latlongFromDirection(vec3(in[0]));
-                     return vec4(std::abs(uv.x - 0.5), uv.y, 0, 0);
-                 },
-                 within(0.0, 1.5e-6));
+    expectParity(
+        {"lib/latlong.glsl"}, "vec2 uv = latlongFromDirection(a.xyz); result = vec4(abs(uv.x - 0.5), uv.y, 0.0, 0.0);",
+        rowsOf(directions(4000, 52)),
+        [](auto& in) {
+            const vec2 uv = glsl::latlongFromDirection(vec3(in[0]));
+            return vec4(std::abs(uv.x - 0.5), uv.y, 0, 0);
+        },
+        within(0.0, 1.5e-6));
 }
 
 TEST(parity, directionFromLatlong)
 {
-    expectParity({"lib/latlong.glsl"}, "result = vec4(directionFromLatlong(a.xy), 0.0);", squareRows(4000, 53),
-                 [](auto& in) { return vec4(glsl::directionFromLatlong(vec2(in[0])), 0); }, within(0.0, 1e-6));
+    expectParity(
+        {"lib/latlong.glsl"}, "result = vec4(directionFromLatlong(a.xy), 0.0);", squareRows(4000, 53),
+        [](auto& in) { return vec4(glsl::directionFromLatlong(vec2(in[0])), 0); }, within(0.0, 1e-6));
 }
 
 TEST(parity, latlongTexelSolidAngle)
 {
     std::vector<Row> rows;
     for (double height : {1.0, 2.0, 512.0, 8192.0})
-        for (double y : {0.0, 0.1, 0.25, 0.5, 0.9, 1.0}) rows.push_back({toFloat(vec3(std::floor(y * (height - 1)), 2 * height, height))});
-    expectParity({"lib/latlong.glsl"}, "result = vec4(latlongTexelSolidAngle(a.x, a.yz), 0.0, 0.0, 0.0);", rows,
-                 [](auto& in) { return vec4(glsl::latlongTexelSolidAngle(in[0].x, vec2(in[0].y, in[0].z)), 0, 0, 0); },
-                 within(2e-6));
+        for (double y : {0.0, 0.1, 0.25, 0.5, 0.9, 1.0})
+            rows.push_back({toFloat(vec3(std::floor(y * (height - 1)), 2 * height, height))});
+    expectParity(
+        {"lib/latlong.glsl"}, "result = vec4(latlongTexelSolidAngle(a.x, a.yz), 0.0, 0.0, 0.0);", rows,
+        [](auto& in) { return vec4(glsl::latlongTexelSolidAngle(in[0].x, vec2(in[0].y, in[0].z)), 0, 0, 0); }, within(2e-6));
 }
 
 TEST(parity, octahedralFromDirection)
 {
-    expectParity({"lib/octahedral.glsl"}, "result = vec4(octahedralFromDirection(a.xyz), 0.0, 0.0);", rowsOf(directions(4000, 54)),
-                 [](auto& in) { return vec4(glsl::octahedralFromDirection(vec3(in[0])), 0, 0); }, within(0.0, 3e-7));
+    expectParity(
+        {"lib/octahedral.glsl"}, "result = vec4(octahedralFromDirection(a.xyz), 0.0, 0.0);", rowsOf(directions(4000, 54)),
+        [](auto& in) { return vec4(glsl::octahedralFromDirection(vec3(in[0])), 0, 0); }, within(0.0, 3e-7));
 }
 
 TEST(parity, directionFromOctahedral)
 {
-    expectParity({"lib/octahedral.glsl"}, "result = vec4(directionFromOctahedral(a.xy), octahedralSolidAngleDensity(a.xy));", squareRows(4000, 55),
-                 [](auto& in) { return vec4(glsl::directionFromOctahedral(vec2(in[0])), glsl::octahedralSolidAngleDensity(vec2(in[0]))); },
-                 within(1e-6, 5e-7));
+    expectParity(
+        {"lib/octahedral.glsl"}, "result = vec4(directionFromOctahedral(a.xy), octahedralSolidAngleDensity(a.xy));",
+        squareRows(4000, 55),
+        [](auto& in) { return vec4(glsl::directionFromOctahedral(vec2(in[0])), glsl::octahedralSolidAngleDensity(vec2(in[0]))); },
+        within(1e-6, 5e-7));
 }
 
 TEST(parity, pyramidLevels)
@@ -112,8 +119,10 @@ TEST(parity, pyramidLevels)
     for (double side = 4.0; side <= 1024.0; side *= 2.0)
         for (double level = 0.0; level <= std::log2(side / 4.0); ++level) rows.push_back({toFloat(vec3(side, level, 0))});
     // Powers of two, whole numbers: exp2 must be exact enough to leave them
-    expectParity({"lib/octahedral.glsl"}, "result = vec4(pyramidLevelCorner(a.x, a.y), pyramidLevelSide(a.x, a.y), 0.0);", rows,
-                 [](auto& in) { return vec4(glsl::pyramidLevelCorner(in[0].x, in[0].y), glsl::pyramidLevelSide(in[0].x, in[0].y), 0); }, within(2e-7));
+    expectParity(
+        {"lib/octahedral.glsl"}, "result = vec4(pyramidLevelCorner(a.x, a.y), pyramidLevelSide(a.x, a.y), 0.0);", rows,
+        [](auto& in) { return vec4(glsl::pyramidLevelCorner(in[0].x, in[0].y), glsl::pyramidLevelSide(in[0].x, in[0].y), 0); },
+        within(2e-7));
 }
 
 TEST(parity, pyramidLookup)
@@ -128,7 +137,8 @@ TEST(parity, pyramidLookup)
     // The filter's weights have 8 bits or more by OpenGL's promise: 1/512 a side, two axes, texels differ by up to 1.
     const Tolerance tolerance = within(0.0, 2.0 / 512.0);
     expectParity({"lib/octahedral.glsl"}, "result = vec4(pyramidLookup(atlas, 32.0, 3.0, a.xyz, a.w), 0.0);", rows,
-                 [&](auto& in) { return vec4(glsl::pyramidLookup(map, 32.0, 3.0, vec3(in[0]), in[0].w), 0); }, tolerance, {atlas});
+                 [&](auto& in) { return vec4(glsl::pyramidLookup(map, 32.0, 3.0, vec3(in[0]), in[0].w), 0); }, tolerance,
+                 {atlas});
     expectParity({"lib/octahedral.glsl"}, "result = vec4(pyramidLevel(atlas, 32.0, a.xyz, 2.0), 0.0);", rows,
                  [&](auto& in) { return vec4(glsl::pyramidLevel(map, 32.0, vec3(in[0]), 2.0), 0); }, tolerance, {atlas});
 }
@@ -136,24 +146,29 @@ TEST(parity, pyramidLookup)
 TEST(parity, frameAround)
 {
     for (int column = 0; column < 3; ++column)
-        expectParity({"lib/frame.glsl"}, "result = vec4(frameAround(a.xyz)[" + std::to_string(column) + "], 0.0);", rowsOf(directions(4000, 58)),
-                     [column](auto& in) { return vec4(glsl::frameAround(vec3(in[0]))[column], 0); }, within(0.0, 3e-7));
+        expectParity(
+            {"lib/frame.glsl"}, "result = vec4(frameAround(a.xyz)[" + std::to_string(column) + "], 0.0);",
+            rowsOf(directions(4000, 58)), [column](auto& in) { return vec4(glsl::frameAround(vec3(in[0]))[column], 0); },
+            within(0.0, 3e-7));
 }
 
 TEST(parity, fresnelSchlick)
 {
     Random random(59);
     std::vector<Row> rows;
-    for (int i = 0; i < 1000; ++i) rows.push_back({toFloat(vec4(random.uniform(), random.uniform(), 0.04, random.uniform(-0.01, 1.01)))});
-    expectParity({"lib/fresnel.glsl"}, "result = vec4(fresnelSchlick(a.xyz, a.w), 0.0);", rows,
-                 [](auto& in) { return vec4(glsl::fresnelSchlick(vec3(in[0]), in[0].w), 0); }, within(5e-7));
+    for (int i = 0; i < 1000; ++i)
+        rows.push_back({toFloat(vec4(random.uniform(), random.uniform(), 0.04, random.uniform(-0.01, 1.01)))});
+    expectParity(
+        {"lib/fresnel.glsl"}, "result = vec4(fresnelSchlick(a.xyz, a.w), 0.0);", rows,
+        [](auto& in) { return vec4(glsl::fresnelSchlick(vec3(in[0]), in[0].w), 0); }, within(5e-7));
 }
 
 TEST(parity, shBasis18)
 {
     for (int i = 0; i < 18; ++i)
-        expectParity({"lib/sh.glsl"}, "result = vec4(shBasis18(" + std::to_string(i) + ", a.xyz));", rowsOf(directions(1000, 60)),
-                     [i](auto& in) { return vec4(glsl::shBasis18(i, vec3(in[0]))); }, within(0.0, 2e-6)); // terms of up to 3.7 cancel
+        expectParity(
+            {"lib/sh.glsl"}, "result = vec4(shBasis18(" + std::to_string(i) + ", a.xyz));", rowsOf(directions(1000, 60)),
+            [i](auto& in) { return vec4(glsl::shBasis18(i, vec3(in[0]))); }, within(0.0, 2e-6));  // terms of up to 3.7 cancel
 }
 
 TEST(parity, shIrradiance)
@@ -161,29 +176,35 @@ TEST(parity, shIrradiance)
     Random random(61);
     std::vector<Row> rows;
     for (const vec3& d : directions(1000, 62)) rows.push_back({toFloat(d), toFloat(random.direction())});
-    expectParity({"lib/sh.glsl"}, "vec3 c[18]; for (int i = 0; i < 18; ++i) c[i] = vec3(1.0, 0.5, 2.0) * shBasis18(i, b.xyz);\n"
-                                  "result = vec4(shIrradiance(c, a.xyz), 0.0);",
-                 rows,
-                 [](auto& in) {
-                     std::vector<vec3> c;
-                     for (int i = 0; i < 18; ++i) c.push_back(vec3(1.0, 0.5, 2.0) * glsl::shBasis18(i, vec3(in[1])));
-                     return vec4(glsl::shIrradiance(c.data(), vec3(in[0])), 0);
-                 },
-                 within(1e-6, 5e-6)); // 18 products of up to 3
+    expectParity(
+        {"lib/sh.glsl"},
+        "vec3 c[18]; for (int i = 0; i < 18; ++i) c[i] = vec3(1.0, 0.5, 2.0) * shBasis18(i, b.xyz);\n"
+        "result = vec4(shIrradiance(c, a.xyz), 0.0);",
+        rows,
+        [](auto& in) {
+            std::vector<vec3> c;
+            for (int i = 0; i < 18; ++i) c.push_back(vec3(1.0, 0.5, 2.0) * glsl::shBasis18(i, vec3(in[1])));
+            return vec4(glsl::shIrradiance(c.data(), vec3(in[0])), 0);
+        },
+        within(1e-6, 5e-6));  // 18 products of up to 3
 }
 
 TEST(parity, tone)
 {
-    expectParity({"lib/tone.glsl"}, "result = vec4(toneReinhard(a.xyz), 0.0);", colourRows(),
-                 [](auto& in) { return vec4(glsl::toneReinhard(vec3(in[0])), 0); }, within(1e-6));
+    expectParity(
+        {"lib/tone.glsl"}, "result = vec4(toneReinhard(a.xyz), 0.0);", colourRows(),
+        [](auto& in) { return vec4(glsl::toneReinhard(vec3(in[0])), 0); }, within(1e-6));
     // 1 - .0576 / (peak + ..) and the mix towards white cancel: absolute, on values below 1
-    expectParity({"lib/tone.glsl"}, "result = vec4(toneNeutral(a.xyz), 0.0);", colourRows(),
-                 [](auto& in) { return vec4(glsl::toneNeutral(vec3(in[0])), 0); }, within(0.0, 1e-6));
+    expectParity(
+        {"lib/tone.glsl"}, "result = vec4(toneNeutral(a.xyz), 0.0);", colourRows(),
+        [](auto& in) { return vec4(glsl::toneNeutral(vec3(in[0])), 0); }, within(0.0, 1e-6));
     // pow: a relative error of log2 times up to 20
-    expectParity({"lib/tone.glsl"}, "result = vec4(srgbEncode3(a.xyz), srgbEncode(a.x));", colourRows(),
-                 [](auto& in) { return vec4(glsl::srgbEncode3(vec3(in[0])), glsl::srgbEncode(in[0].x)); }, within(5e-6));
-    expectParity({"lib/tone.glsl"}, "result = vec4(srgbDecode3(a.xyz), srgbDecode(a.x));", colourRows(),
-                 [](auto& in) { return vec4(glsl::srgbDecode3(vec3(in[0])), glsl::srgbDecode(in[0].x)); }, within(1e-5));
+    expectParity(
+        {"lib/tone.glsl"}, "result = vec4(srgbEncode3(a.xyz), srgbEncode(a.x));", colourRows(),
+        [](auto& in) { return vec4(glsl::srgbEncode3(vec3(in[0])), glsl::srgbEncode(in[0].x)); }, within(5e-6));
+    expectParity(
+        {"lib/tone.glsl"}, "result = vec4(srgbDecode3(a.xyz), srgbDecode(a.x));", colourRows(),
+        [](auto& in) { return vec4(glsl::srgbDecode3(vec3(in[0])), glsl::srgbDecode(in[0].x)); }, within(1e-5));
 }
 
 TEST(parity, sequence)
@@ -192,17 +213,24 @@ TEST(parity, sequence)
     std::vector<Row> rows;
     for (double high : {0.0, 1.0, 255.0, 65535.0})
         for (double low : {0.0, 1.0, 32768.0, 65535.0}) rows.push_back({toFloat(vec3(high, low, 1000))});
-    while (rows.size() < 2000) rows.push_back({toFloat(vec3(std::floor(random.uniform(0, 65536)), std::floor(random.uniform(0, 65536)), 1.0 + std::floor(random.uniform(0, 1e6))))});
+    while (rows.size() < 2000)
+        rows.push_back({toFloat(vec3(std::floor(random.uniform(0, 65536)), std::floor(random.uniform(0, 65536)),
+                                     1.0 + std::floor(random.uniform(0, 1e6))))});
     auto index = [](const vec4& v) { return glsl::uint(v.x) * 65536u + glsl::uint(v.y); };
     // Bits: exact
-    expectParity({"lib/sequence.glsl"}, "result = vec4(radicalInverse(uint(a.x) * 65536u + uint(a.y)), float(bayer4(int(a.x), int(a.y))), 0.0, 0.0);", rows,
-                 [&](auto& in) { return vec4(glsl::radicalInverse(index(in[0])), glsl::bayer4(int(in[0].x), int(in[0].y)), 0, 0); }, within(0.0));
-    expectParity({"lib/sequence.glsl"}, "uint n = uint(a.z); result = vec4(hammersley((uint(a.x) * 65536u + uint(a.y)) % n, n), 0.0, 0.0);", rows,
-                 [&](auto& in) {
-                     const glsl::uint n = glsl::uint(in[0].z);
-                     return vec4(glsl::hammersley(index(in[0]) % n, n), 0, 0);
-                 },
-                 within(0.0, 2e-7));
+    expectParity(
+        {"lib/sequence.glsl"},
+        "result = vec4(radicalInverse(uint(a.x) * 65536u + uint(a.y)), float(bayer4(int(a.x), int(a.y))), 0.0, 0.0);", rows,
+        [&](auto& in) { return vec4(glsl::radicalInverse(index(in[0])), glsl::bayer4(int(in[0].x), int(in[0].y)), 0, 0); },
+        within(0.0));
+    expectParity(
+        {"lib/sequence.glsl"},
+        "uint n = uint(a.z); result = vec4(hammersley((uint(a.x) * 65536u + uint(a.y)) % n, n), 0.0, 0.0);", rows,
+        [&](auto& in) {
+            const glsl::uint n = glsl::uint(in[0].z);
+            return vec4(glsl::hammersley(index(in[0]) % n, n), 0, 0);
+        },
+        within(0.0, 2e-7));
 }
 
 TEST(parity, HammersleyStaysBelowOneInFloat)
@@ -212,10 +240,13 @@ TEST(parity, HammersleyStaysBelowOneInFloat)
     for (double n : {1.0, 3.0, 1024.0, 65536.0, 1048576.0, 16777216.0}) rows.push_back({toFloat(vec3(n - 1.0, n, 0))});
     std::vector<std::vector<glm::vec4>> columns(1);
     for (const Row& row : rows) columns[0].push_back(row[0]);
-    for (const glm::vec4& p : context().evaluate({"lib/sequence.glsl"}, "result = vec4(hammersley(uint(a.x), uint(a.y)), radicalInverse(0xffffffffu), 0.0);", columns))
+    for (const glm::vec4& p :
+         context().evaluate({"lib/sequence.glsl"},
+                            "result = vec4(hammersley(uint(a.x), uint(a.y)), radicalInverse(0xffffffffu), 0.0);", columns))
         EXPECT_LT(p.z, 1.0f);
     // The specular pass takes up to 1024 samples a pixel.
-    const std::vector<glm::vec4> points = context().evaluate({"lib/sequence.glsl"}, "result = vec4(hammersley(uint(a.x), uint(a.y)), 0.0, 0.0);", columns);
+    const std::vector<glm::vec4> points =
+        context().evaluate({"lib/sequence.glsl"}, "result = vec4(hammersley(uint(a.x), uint(a.y)), 0.0, 0.0);", columns);
     for (size_t i = 0; i < 3; ++i) {
         EXPECT_LT(points[i].x, 1.0f) << i;
         EXPECT_LT(points[i].y, 1.0f) << i;
@@ -227,16 +258,19 @@ TEST(parity, eyeFromDepth)
     // w = 1/z is a difference of numbers of order 1/near: the relative error grows as z / near.
     auto tolerance = [](const std::vector<vec4>& in, double exact) {
         const vec4 q = matrixOf(in) * vec4(in[4].x, in[4].y, 2.0 * in[4].z - 1.0, 1.0);
-        return (5e-7 + 2e-7 * (std::abs(in[2].w) + std::abs(in[3].w)) / std::abs(q.w)) * std::abs(exact) + 2e-6 * glsl::length(vec3(q)) / std::abs(q.w);
+        return (5e-7 + 2e-7 * (std::abs(in[2].w) + std::abs(in[3].w)) / std::abs(q.w)) * std::abs(exact) +
+               2e-6 * glsl::length(vec3(q)) / std::abs(q.w);
     };
-    expectParity({"lib/depth.glsl"}, "result = vec4(eyeFromDepth(mat4(a, b, c, d), e.xy, e.z), 0.0);", viewRows(64),
-                 [](auto& in) { return vec4(glsl::eyeFromDepth(matrixOf(in), vec2(in[4]), in[4].z), 0); }, tolerance);
+    expectParity(
+        {"lib/depth.glsl"}, "result = vec4(eyeFromDepth(mat4(a, b, c, d), e.xy, e.z), 0.0);", viewRows(64),
+        [](auto& in) { return vec4(glsl::eyeFromDepth(matrixOf(in), vec2(in[4]), in[4].z), 0); }, tolerance);
 }
 
 TEST(parity, viewRay)
 {
-    expectParity({"lib/depth.glsl"}, "result = vec4(viewRay(mat4(a, b, c, d), e.xy), 0.0);", viewRows(65),
-                 [](auto& in) { return vec4(glsl::viewRay(matrixOf(in), vec2(in[4])), 0); }, within(0.0, 1e-6));
+    expectParity(
+        {"lib/depth.glsl"}, "result = vec4(viewRay(mat4(a, b, c, d), e.xy), 0.0);", viewRows(65),
+        [](auto& in) { return vec4(glsl::viewRay(matrixOf(in), vec2(in[4])), 0); }, within(0.0, 1e-6));
 }
 
 TEST(parity, viewRayOfADeepView)
@@ -246,9 +280,11 @@ TEST(parity, viewRayOfADeepView)
     Random random(66);
     std::vector<Row> rows;
     for (int i = 0; i < 200; ++i)
-        rows.push_back({toFloat(inverse[0]), toFloat(inverse[1]), toFloat(inverse[2]), toFloat(inverse[3]), toFloat(vec3(2.0 * random.square() - 1.0, 0.0))});
-    expectParity({"lib/depth.glsl"}, "result = vec4(viewRay(mat4(a, b, c, d), e.xy), 0.0);", rows,
-                 [](auto& in) { return vec4(glsl::normalize(vec3(0.4 * in[4].x, 0.3 * in[4].y, -1.0)), 0); }, within(0.0, 1e-6));
+        rows.push_back({toFloat(inverse[0]), toFloat(inverse[1]), toFloat(inverse[2]), toFloat(inverse[3]),
+                        toFloat(vec3(2.0 * random.square() - 1.0, 0.0))});
+    expectParity(
+        {"lib/depth.glsl"}, "result = vec4(viewRay(mat4(a, b, c, d), e.xy), 0.0);", rows,
+        [](auto& in) { return vec4(glsl::normalize(vec3(0.4 * in[4].x, 0.3 * in[4].y, -1.0)), 0); }, within(0.0, 1e-6));
 }
 
 TEST(parity, pixelFootprint)
@@ -256,10 +292,14 @@ TEST(parity, pixelFootprint)
     // The difference of two neighbouring points: their rounding (see eyeFromDepth) over a pixel of 1/540.
     auto tolerance = [](const std::vector<vec4>& in, double exact) {
         const vec4 q = matrixOf(in) * vec4(in[4].x, in[4].y, 2.0 * in[4].z - 1.0, 1.0);
-        return 1e-6 * (std::abs(in[2].w) + std::abs(in[3].w)) / std::abs(q.w) * exact + 2e-7 * glsl::length(vec3(q)) / std::abs(q.w);
+        return 1e-6 * (std::abs(in[2].w) + std::abs(in[3].w)) / std::abs(q.w) * exact +
+               2e-7 * glsl::length(vec3(q)) / std::abs(q.w);
     };
-    expectParity({"lib/depth.glsl"}, "result = vec4(pixelFootprint(mat4(a, b, c, d), e.xy, e.z, vec2(960.0, 540.0)), 0.0, 0.0, 0.0);", viewRows(67),
-                 [](auto& in) { return vec4(glsl::pixelFootprint(matrixOf(in), vec2(in[4]), in[4].z, vec2(960, 540)), 0, 0, 0); }, tolerance);
+    expectParity(
+        {"lib/depth.glsl"}, "result = vec4(pixelFootprint(mat4(a, b, c, d), e.xy, e.z, vec2(960.0, 540.0)), 0.0, 0.0, 0.0);",
+        viewRows(67),
+        [](auto& in) { return vec4(glsl::pixelFootprint(matrixOf(in), vec2(in[4]), in[4].z, vec2(960, 540)), 0, 0, 0); },
+        tolerance);
 }
 
 TEST(parity, bilateral)
@@ -274,7 +314,11 @@ TEST(parity, bilateral)
         rows.push_back({toFloat(p, 0.1), toFloat(n), toFloat(q), toFloat(nq)});
     }
     // exp of up to -2, cos to the 32nd: 40 roundings, on weights of at most 1
-    expectParity({"lib/bilateral.glsl"}, "result = vec4(geometryWeight(a.xyz, b.xyz, c.xyz, d.xyz, a.w), cellWeight(2, 4), cellWeight(-4, 4), 0.0);", rows,
-                 [](auto& in) { return vec4(glsl::geometryWeight(vec3(in[0]), vec3(in[1]), vec3(in[2]), vec3(in[3]), in[0].w), 1.0, 0.5, 0); },
-                 within(5e-6, 2e-6));
+    expectParity(
+        {"lib/bilateral.glsl"},
+        "result = vec4(geometryWeight(a.xyz, b.xyz, c.xyz, d.xyz, a.w), cellWeight(2, 4), cellWeight(-4, 4), 0.0);", rows,
+        [](auto& in) {
+            return vec4(glsl::geometryWeight(vec3(in[0]), vec3(in[1]), vec3(in[2]), vec3(in[3]), in[0].w), 1.0, 0.5, 0);
+        },
+        within(5e-6, 2e-6));
 }

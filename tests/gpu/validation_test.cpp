@@ -94,14 +94,15 @@ std::string outputOf(const std::string& command, int& status)
 // glslangValidator's status for one text, as a file of that extension.
 std::string validate(const std::string& text, const std::string& extension, int& status)
 {
-    const fs::path file = fs::path(testing::TempDir()) / ("envlight_validation_" + std::to_string(std::uintptr_t(&text)) + extension);
+    const fs::path file =
+        fs::path(testing::TempDir()) / ("envlight_validation_" + std::to_string(std::uintptr_t(&text)) + extension);
     std::ofstream(file) << text;
     const std::string output = outputOf("'" GLSLANG_VALIDATOR "' '" + file.string() + "'", status);
     fs::remove(file);
     return output;
 }
 
-} // namespace
+}  // namespace
 
 TEST(validation, EveryProgramHasADefineSet)
 {
@@ -116,7 +117,7 @@ TEST(validation, GlslangAcceptsEveryVariant)
     if (std::string(GLSLANG_VALIDATOR).empty()) GTEST_SKIP() << "glslangValidator (package glslang-tools) is not installed";
     int status = 0;
     validate("#version 330\nvoid main() { fault; }\n", ".frag", status);
-    ASSERT_NE(status, 0); // it does judge
+    ASSERT_NE(status, 0);  // it does judge
     for (const char* extension : {".vert", ".frag"})
         for (const std::string& name : programs(extension)) {
             const std::string text = expanded(name);

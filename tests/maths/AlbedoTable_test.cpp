@@ -34,7 +34,7 @@ vec2 texel(unsigned x, unsigned y)
     return vec2(t[0], t[1]);
 }
 
-} // namespace
+}  // namespace
 
 TEST(AlbedoTable, Shape)
 {
@@ -83,7 +83,7 @@ TEST(AlbedoTable, BoundedEverywhere)
             const vec2 e = texel(x, y);
             EXPECT_GE(e.x, 0.0);
             EXPECT_GE(e.y, 0.0);
-            EXPECT_LE(e.x + e.y, 1.0 + 1e-6) << x << " " << y; // floats
+            EXPECT_LE(e.x + e.y, 1.0 + 1e-6) << x << " " << y;  // floats
             EXPECT_GT(e.x + e.y, 0.3) << x << " " << y;
         }
 }

@@ -23,7 +23,7 @@ osg::ref_ptr<osg::Image> constant(int width, int height, double value = 1.0)
     return makeMap(width, height, [value](const vec3&) { return vec3(value); });
 }
 
-} // namespace
+}  // namespace
 
 TEST(EnvironmentMap, FluxAndMean)
 {
@@ -82,7 +82,7 @@ TEST(EnvironmentMap, NotFiniteTexelsAreCountedAndMadeZero)
     EXPECT_EQ(map->notFinite, 4u);
     EXPECT_EQ(map->negative, 0u);
     EXPECT_EQ(map->texel(3, 2)[0], 0.0f);
-    EXPECT_EQ(map->texel(3, 2)[1], 1.0f); // only what is wrong
+    EXPECT_EQ(map->texel(3, 2)[1], 1.0f);  // only what is wrong
     EXPECT_EQ(map->texel(4, 2)[1], 0.0f);
     EXPECT_EQ(map->texel(5, 2)[2], 0.0f);
     const double lost = 2.0 * texelSolidAngle(2, 16, 8);
@@ -104,7 +104,7 @@ TEST(EnvironmentMap, NegativeTexelsBelowTheToleranceAreClamped)
         EXPECT_EQ(map->negative, 2u);
         const double solidAngle = texelSolidAngle(4, 16, 8);
         const double share = 0.003 * solidAngle / (3.0 * 4.0 * pi - 2.0 * solidAngle);
-        EXPECT_NEAR(map->negativeShare / share, 1.0, 1e-6); // -.001 and -.002 as floats
+        EXPECT_NEAR(map->negativeShare / share, 1.0, 1e-6);  // -.001 and -.002 as floats
         EXPECT_LT(map->negativeShare, 1e-4);
         EXPECT_EQ(map->texel(0, 4)[0], 0.0f);
     }
@@ -169,7 +169,7 @@ TEST(EnvironmentMap, RebuiltWhenTheModifiedCountChanges)
     ASSERT_TRUE(second);
     EXPECT_NE(second, first);
     EXPECT_EQ(second->maximum, 9.0);
-    EXPECT_EQ(first->maximum, 1.0); // a draw thread may still read it
+    EXPECT_EQ(first->maximum, 1.0);  // a draw thread may still read it
     environment->setImage(constant(4, 2, 7.0).get());
     EXPECT_EQ(environment->radiance(error)->maximum, 7.0);
 }

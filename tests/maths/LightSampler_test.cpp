@@ -22,7 +22,7 @@ struct NamedMap {
     int width;
     int height;
     Radiance radiance;
-    double bound; // of U at 128 lights
+    double bound;  // of U at 128 lights
 };
 
 bool inWindow(const vec3& d)
@@ -96,7 +96,7 @@ osg::ref_ptr<const RadianceMap> oneTexel(int width, int height, int x, int y, ve
     return radianceOf(image);
 }
 
-} // namespace
+}  // namespace
 
 TEST(LightSampler, ExactCountAndFlux)
 {
@@ -110,8 +110,10 @@ TEST(LightSampler, TinyMaps)
 {
     for (auto [w, h] : {std::pair(1, 1), std::pair(2, 1), std::pair(4, 2), std::pair(7, 1), std::pair(1, 5)}) {
         Random random(41);
-        const auto map = radianceOf(makeMap(w, h, [&](const vec3&) { return vec3(random.uniform(), random.uniform(), random.uniform()); }));
-        for (unsigned count : {1u, 2u, 3u, 16u, 128u, 1009u}) expectSound(sample(*map, count), *map, count, std::to_string(w) + "x" + std::to_string(h));
+        const auto map =
+            radianceOf(makeMap(w, h, [&](const vec3&) { return vec3(random.uniform(), random.uniform(), random.uniform()); }));
+        for (unsigned count : {1u, 2u, 3u, 16u, 128u, 1009u})
+            expectSound(sample(*map, count), *map, count, std::to_string(w) + "x" + std::to_string(h));
     }
 }
 
@@ -119,7 +121,8 @@ TEST(LightSampler, OneTexel)
 {
     const int w = 128;
     const int h = 64;
-    for (auto [x, y] : {std::pair(0, 0), std::pair(77, 0), std::pair(0, 63), std::pair(0, 32), std::pair(127, 32), std::pair(64, 20)}) {
+    for (auto [x, y] :
+         {std::pair(0, 0), std::pair(77, 0), std::pair(0, 63), std::pair(0, 32), std::pair(127, 32), std::pair(64, 20)}) {
         const auto map = oneTexel(w, h, x, y);
         const vec3 d = texelDirection(x, y, w, h);
         for (unsigned count : {1u, 2u, 3u, 16u, 128u, 1009u}) {
@@ -167,7 +170,8 @@ TEST(LightSampler, ErrorFallsWithTheCount)
     double logFall = 0.0;
     for (const NamedMap& m : maps) {
         const auto map = radianceOf(makeMap(m.width, m.height, m.radiance));
-        logFall += std::log(unoccludedError(sample(*map, 1024), *map) / unoccludedError(sample(*map, 64), *map)) / std::size(maps);
+        logFall +=
+            std::log(unoccludedError(sample(*map, 1024), *map) / unoccludedError(sample(*map, 64), *map)) / std::size(maps);
     }
     EXPECT_LT(logFall / std::log(16.0), -1.1);
 }

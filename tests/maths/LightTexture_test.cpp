@@ -28,7 +28,7 @@ const float* texel(const osg::Texture2D& texture, unsigned x, unsigned y)
     return reinterpret_cast<const float*>(texture.getImage()->data(x, y));
 }
 
-} // namespace
+}  // namespace
 
 TEST(LightTexture, GroupsAndRows)
 {
@@ -56,7 +56,7 @@ TEST(LightTexture, FilledUpWithDarkLights)
         for (unsigned q = 0; q < 16; ++q)
             for (int k = 0; k < 3; ++k) sum[k] += double(texel(*texture, x, 2 * q + 1)[k]);
     for (const DirectionalLight& l : lights) exact += l.flux;
-    EXPECT_EQ(sum, exact); // whole numbers
+    EXPECT_EQ(sum, exact);  // whole numbers
     EXPECT_EQ(texel(*texture, 2, 31)[0], 0.0f);
 }
 
@@ -91,7 +91,8 @@ TEST(LightTexture, NeighboursOnTheCurveAreNeighboursOnTheSphere)
     // 1024 even directions lie .11 rad apart. A jump of the curve over a fold of the square is longer: the median is not.
     const LightList dealt = osgEnvLight::dealt(listOf(1024));
     std::vector<double> angles;
-    for (size_t i = 1; i < dealt.size(); ++i) angles.push_back(std::acos(std::min(1.0, dealt[i].direction * dealt[i - 1].direction)));
+    for (size_t i = 1; i < dealt.size(); ++i)
+        angles.push_back(std::acos(std::min(1.0, dealt[i].direction * dealt[i - 1].direction)));
     std::nth_element(angles.begin(), angles.begin() + 511, angles.end());
     EXPECT_LT(angles[511], 0.16);
 }
@@ -109,7 +110,8 @@ TEST(LightTexture, EachGroupIsAGoodSampleOfTheMap)
         double group[16] = {};
         double mean = 0.0;
         for (size_t i = 0; i < dealt.size(); ++i) {
-            const double e = std::max(0.0, n.x * dealt[i].direction[0] + n.y * dealt[i].direction[1] + n.z * dealt[i].direction[2]);
+            const double e =
+                std::max(0.0, n.x * dealt[i].direction[0] + n.y * dealt[i].direction[1] + n.z * dealt[i].direction[2]);
             group[i % 16] += e;
             mean += e / 16.0;
         }

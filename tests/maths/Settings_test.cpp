@@ -23,7 +23,8 @@ struct Comma : std::numpunct<char> {
 class CommaLocale
 {
   public:
-    CommaLocale() : _before(std::locale::global(std::locale(std::locale::classic(), new Comma))), _c(std::setlocale(LC_NUMERIC, nullptr))
+    CommaLocale()
+        : _before(std::locale::global(std::locale(std::locale::classic(), new Comma))), _c(std::setlocale(LC_NUMERIC, nullptr))
     {
         for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8"})
             if (std::setlocale(LC_NUMERIC, name)) break;
@@ -70,7 +71,7 @@ void expectRoundTrips()
         }
 }
 
-} // namespace
+}  // namespace
 
 TEST(Settings, EveryPropertyRoundTripsThroughText)
 {
@@ -126,11 +127,25 @@ TEST(Settings, RangeText)
 TEST(Settings, WrongTextIsRefused)
 {
     osg::ref_ptr<Settings> settings = new Settings;
-    const std::pair<const char*, const char*> wrong[] = {
-        {"diffuseLights", ""},     {"diffuseLights", "12.5"}, {"diffuseLights", "12 "}, {"diffuseLights", " 12"},   {"diffuseLights", "12x"},
-        {"diffuseLights", "nan"},  {"exposure", "inf"},       {"exposure", "1,5"},      {"exposure", "one"},        {"dither", "1"},
-        {"dither", "true"},        {"dither", "ON"},          {"combine", "Ratio"},     {"combine", "0"},           {"combine", ""},
-        {"occlusionRadius", "-1"}, {"exposure", "1e999"},     {"exposure", "+-1"},      {"diffuseLights", "99999999999999999999"}};
+    const std::pair<const char*, const char*> wrong[] = {{"diffuseLights", ""},
+                                                         {"diffuseLights", "12.5"},
+                                                         {"diffuseLights", "12 "},
+                                                         {"diffuseLights", " 12"},
+                                                         {"diffuseLights", "12x"},
+                                                         {"diffuseLights", "nan"},
+                                                         {"exposure", "inf"},
+                                                         {"exposure", "1,5"},
+                                                         {"exposure", "one"},
+                                                         {"dither", "1"},
+                                                         {"dither", "true"},
+                                                         {"dither", "ON"},
+                                                         {"combine", "Ratio"},
+                                                         {"combine", "0"},
+                                                         {"combine", ""},
+                                                         {"occlusionRadius", "-1"},
+                                                         {"exposure", "1e999"},
+                                                         {"exposure", "+-1"},
+                                                         {"diffuseLights", "99999999999999999999"}};
     for (const auto& [name, text] : wrong) {
         std::string error;
         EXPECT_FALSE(settings->set(name, text, error)) << name << " = '" << text << "'";
@@ -162,7 +177,7 @@ TEST(Settings, CopyTakesEveryProperty)
 TEST(Settings, ValidFindsEveryPropertyOutOfRange)
 {
     for (const Settings::Property& p : Settings::table()) {
-        if (std::holds_alternative<bool Settings::*>(p.member)) continue; // can't be out of its range
+        if (std::holds_alternative<bool Settings::*>(p.member)) continue;  // can't be out of its range
         osg::ref_ptr<Settings> settings = new Settings;
         p.put(*settings, p.maximum + 1.0);
         std::string error;

@@ -65,7 +65,7 @@ std::string failureOf(const std::string& name)
     return std::string();
 }
 
-} // namespace
+}  // namespace
 
 TEST(ShaderLibrary, NamesAreTheFilesOfTheSourceTree)
 {
@@ -73,7 +73,8 @@ TEST(ShaderLibrary, NamesAreTheFilesOfTheSourceTree)
     const fs::path root = fs::path(ENVLIGHT_SOURCE_DIR) / "shaders";
     for (const auto& entry : fs::recursive_directory_iterator(root)) {
         const std::string extension = entry.path().extension().string();
-        if (extension == ".glsl" || extension == ".vert" || extension == ".frag") files.push_back(fs::relative(entry.path(), root).generic_string());
+        if (extension == ".glsl" || extension == ".vert" || extension == ".frag")
+            files.push_back(fs::relative(entry.path(), root).generic_string());
     }
     std::vector<std::string> names = ShaderLibrary::names();
     std::sort(names.begin(), names.end());

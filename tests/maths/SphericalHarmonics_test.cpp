@@ -47,7 +47,8 @@ TEST(SphericalHarmonics, SumOverTexels)
 {
     // The separable sum against the plain one over directions and solid angles, on noise in three channels.
     Random random(31);
-    const auto map = radianceOf(makeMap(64, 32, [&](const vec3&) { return vec3(random.uniform(), random.uniform(), 10.0 * random.uniform()); }));
+    const auto map = radianceOf(
+        makeMap(64, 32, [&](const vec3&) { return vec3(random.uniform(), random.uniform(), 10.0 * random.uniform()); }));
     for (int i = 0; i < 18; ++i) {
         vec3 sum(0.0);
         for (int y = 0; y < 32; ++y)
@@ -55,7 +56,7 @@ TEST(SphericalHarmonics, SumOverTexels)
                 const float* t = map->texel(x, y);
                 sum += vec3(t[0], t[1], t[2]) * texelSolidAngle(y, 64, 32) * glsl::shBasis18(i, texelDirection(x, y, 64, 32));
             }
-        for (int c = 0; c < 3; ++c) EXPECT_NEAR(map->harmonics()[size_t(i)][c], sum[c], 1e-11) << i; // rounding of 2048 terms
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(map->harmonics()[size_t(i)][c], sum[c], 1e-11) << i;  // rounding of 2048 terms
     }
 }
 

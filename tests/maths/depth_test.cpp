@@ -25,7 +25,7 @@ const View views[] = {{"perspective", frustum(-0.4, 0.4, -0.3, 0.3, 1.0, 100.0),
                       {"orthographic", orthographic(-4.0, 4.0, -3.0, 3.0, 1.0, 100.0), true},
                       {"orthographic behind the eye", orthographic(-4.0, 1.0, -3.0, 3.0, -50.0, 50.0), true}};
 
-} // namespace
+}  // namespace
 
 TEST(depth, InvertsTheProjection)
 {
@@ -70,7 +70,8 @@ TEST(depth, FootprintOfAPixel)
             const double depth = random.uniform(0.0, 0.9);
             // The height of the view, 2 / P[1][1] at unit distance, over the rows.
             const double z = view.parallel ? 1.0 : -glsl::eyeFromDepth(inverse, ndc, depth).z;
-            EXPECT_NEAR(glsl::pixelFootprint(inverse, ndc, depth, size) / (2.0 / view.projection[1][1] * z / size.y), 1.0, 1e-9) << view.name;
+            EXPECT_NEAR(glsl::pixelFootprint(inverse, ndc, depth, size) / (2.0 / view.projection[1][1] * z / size.y), 1.0, 1e-9)
+                << view.name;
         }
     }
 }

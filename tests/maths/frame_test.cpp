@@ -16,11 +16,12 @@ void expectFrame(const vec3& n)
     const double tolerance = 2e-15;
     EXPECT_EQ(m[2], n);
     for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) EXPECT_NEAR(glsl::dot(m[i], m[j]), i == j ? 1.0 : 0.0, tolerance) << n.x << " " << n.y << " " << n.z;
+        for (int j = 0; j < 3; ++j)
+            EXPECT_NEAR(glsl::dot(m[i], m[j]), i == j ? 1.0 : 0.0, tolerance) << n.x << " " << n.y << " " << n.z;
     EXPECT_NEAR(glsl::dot(glsl::cross(m[0], m[1]), m[2]), 1.0, tolerance);
 }
 
-} // namespace
+}  // namespace
 
 TEST(frame, OrthonormalAndRightHanded)
 {

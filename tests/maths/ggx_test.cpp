@@ -43,7 +43,7 @@ double albedo(const vec3& v, double alpha, int nz, int nphi)
     return integrateBand([&](const vec3& l) { return glsl::ggxBrdf(v, l, alpha) * l.z; }, 0.0, 1.0, nz, nphi);
 }
 
-} // namespace
+}  // namespace
 
 TEST(ggx, PeakAndHalfWidth)
 {
@@ -91,7 +91,8 @@ TEST(ggx, AlbedoTendsToOneAsTheLobeNarrows)
     const vec3 v = eyeAt(45.0);
     double sum = 0.0;
     for (int i = 0; i < 64; ++i) {
-        const vec3 h = glsl::ggxVisibleNormalSample(v, 1e-3, vec2((i + 0.5) / 64.0, (i * 0.61803398875) - std::floor(i * 0.61803398875)));
+        const vec3 h =
+            glsl::ggxVisibleNormalSample(v, 1e-3, vec2((i + 0.5) / 64.0, (i * 0.61803398875) - std::floor(i * 0.61803398875)));
         sum += glsl::ggxG2OverG1(v.z, 2.0 * glsl::dot(v, h) * h.z - v.z, 1e-3);
     }
     EXPECT_NEAR(sum / 64.0, 1.0, 1e-6);
@@ -181,7 +182,8 @@ TEST(ggx, SamplesFollowTheVisibleNormals)
                             const double slope = alpha * t / (1.0 - t);
                             const double jacobian = alpha / ((1.0 - t) * (1.0 - t)) * slope * std::pow(1.0 + slope * slope, -1.5);
                             const vec3 h = fromSlope(slope, 2.0 * pi * ((y + g.x[j]) / nphi - 0.5));
-                            expected[size_t(x * nphi + y)] += samples * g.w[i] * g.w[j] * jacobian * visibleNormals(v, h, alpha) * 2.0 * pi / nt / nphi;
+                            expected[size_t(x * nphi + y)] +=
+                                samples * g.w[i] * g.w[j] * jacobian * visibleNormals(v, h, alpha) * 2.0 * pi / nt / nphi;
                         }
             EXPECT_GT(chiSquaredTest(observed, expected), sidak(16)) << alpha << " " << degrees;
         }

@@ -30,7 +30,10 @@ class Pyramid
     }
     double side() const { return _textures->pyramidSide(); }
     double lastLevel() const { return _textures->pyramidLastLevel(); }
-    double at(const vec3& d, double lod) const { return glsl::pyramidLookup({_texels.data(), _width, _height}, side(), lastLevel(), d, lod).y; }
+    double at(const vec3& d, double lod) const
+    {
+        return glsl::pyramidLookup({_texels.data(), _width, _height}, side(), lastLevel(), d, lod).y;
+    }
 
   private:
     osg::ref_ptr<osgEnvLight::MapTextures> _textures;
@@ -39,12 +42,13 @@ class Pyramid
     std::vector<float> _texels;
 };
 
-} // namespace
+}  // namespace
 
 TEST(octahedral, Convention)
 {
-    const std::pair<vec3, vec2> table[] = {{vec3(0, 0, 1), vec2(0.5, 0.5)}, {vec3(1, 0, 0), vec2(1.0, 0.5)}, {vec3(-1, 0, 0), vec2(0.0, 0.5)},
-                                           {vec3(0, 1, 0), vec2(0.5, 1.0)}, {vec3(0, -1, 0), vec2(0.5, 0.0)}, {vec3(0, 0, -1), vec2(1.0, 1.0)}};
+    const std::pair<vec3, vec2> table[] = {{vec3(0, 0, 1), vec2(0.5, 0.5)},  {vec3(1, 0, 0), vec2(1.0, 0.5)},
+                                           {vec3(-1, 0, 0), vec2(0.0, 0.5)}, {vec3(0, 1, 0), vec2(0.5, 1.0)},
+                                           {vec3(0, -1, 0), vec2(0.5, 0.0)}, {vec3(0, 0, -1), vec2(1.0, 1.0)}};
     for (const auto& [d, st] : table) EXPECT_LT(glsl::length(glsl::octahedralFromDirection(d) - st), 1e-15);
     for (vec2 corner : {vec2(0, 0), vec2(0, 1), vec2(1, 0), vec2(1, 1)})
         EXPECT_LT(glsl::length(glsl::directionFromOctahedral(corner) - vec3(0, 0, -1)), 1e-15);
@@ -66,8 +70,12 @@ TEST(octahedral, EdgesAreFoldedInTheirMiddles)
 {
     for (double s : {0.0, 0.1, 0.3, 0.5})
         for (double edge : {0.0, 1.0}) {
-            EXPECT_LT(glsl::length(glsl::directionFromOctahedral(vec2(s, edge)) - glsl::directionFromOctahedral(vec2(1.0 - s, edge))), 1e-15);
-            EXPECT_LT(glsl::length(glsl::directionFromOctahedral(vec2(edge, s)) - glsl::directionFromOctahedral(vec2(edge, 1.0 - s))), 1e-15);
+            EXPECT_LT(
+                glsl::length(glsl::directionFromOctahedral(vec2(s, edge)) - glsl::directionFromOctahedral(vec2(1.0 - s, edge))),
+                1e-15);
+            EXPECT_LT(
+                glsl::length(glsl::directionFromOctahedral(vec2(edge, s)) - glsl::directionFromOctahedral(vec2(edge, 1.0 - s))),
+                1e-15);
         }
 }
 
@@ -97,7 +105,8 @@ TEST(octahedral, DensityIntegratesToTheSphere)
             const double a = 0.5 * g.x[i];
             const double b = (0.5 - a) * g.x[j];
             const double area = g.w[i] * g.w[j] * 0.5 * (0.5 - a);
-            sum += area * (glsl::octahedralSolidAngleDensity(vec2(0.5 + a, 0.5 + b)) + glsl::octahedralSolidAngleDensity(vec2(1.0 - a, 1.0 - b)));
+            sum += area * (glsl::octahedralSolidAngleDensity(vec2(0.5 + a, 0.5 + b)) +
+                           glsl::octahedralSolidAngleDensity(vec2(1.0 - a, 1.0 - b)));
         }
     EXPECT_NEAR(4.0 * sum, 4.0 * pi, 1e-12);
 }
@@ -118,8 +127,8 @@ TEST(octahedral, LevelsOfTheAtlasDoNotOverlap)
         EXPECT_EQ(glsl::pyramidLevelSide(side, last), 4.0);
         for (size_t i = 0; i < boxes.size(); ++i)
             for (size_t j = 0; j < i; ++j)
-                EXPECT_TRUE(boxes[i].low.x >= boxes[j].high.x || boxes[j].low.x >= boxes[i].high.x || boxes[i].low.y >= boxes[j].high.y ||
-                            boxes[j].low.y >= boxes[i].high.y)
+                EXPECT_TRUE(boxes[i].low.x >= boxes[j].high.x || boxes[j].low.x >= boxes[i].high.x ||
+                            boxes[i].low.y >= boxes[j].high.y || boxes[j].low.y >= boxes[i].high.y)
                     << side << " " << i << " " << j;
     }
 }
@@ -128,7 +137,7 @@ TEST(octahedral, ConstantMapAtEveryLod)
 {
     const Pyramid pyramid(radianceOf(makeMap(64, 32, [](const vec3&) { return vec3(3.0); })).get());
     for (const vec3& d : spiral(200))
-        for (double lod : {-5.0, 0.0, 0.3, 1.0, 2.7, 99.0}) EXPECT_NEAR(pyramid.at(d, lod), 1.0, 1e-6); // floats
+        for (double lod : {-5.0, 0.0, 0.3, 1.0, 2.7, 99.0}) EXPECT_NEAR(pyramid.at(d, lod), 1.0, 1e-6);  // floats
 }
 
 TEST(octahedral, LookUpsAreContinuousOverTheFoldedEdges)
@@ -141,7 +150,9 @@ TEST(octahedral, LookUpsAreContinuousOverTheFoldedEdges)
             for (double edge : {1e-9, 1.0 - 1e-9}) {
                 const double s = i / 400.0;
                 for (bool alongT : {false, true}) {
-                    auto at = [&](double x) { return pyramid.at(glsl::directionFromOctahedral(alongT ? vec2(edge, x) : vec2(x, edge)), lod); };
+                    auto at = [&](double x) {
+                        return pyramid.at(glsl::directionFromOctahedral(alongT ? vec2(edge, x) : vec2(x, edge)), lod);
+                    };
                     EXPECT_NEAR(at(s), at(1.0 - s), 1e-5) << lod << " " << s;
                 }
             }
@@ -177,5 +188,7 @@ TEST(octahedral, EveryLevelKeepsTheFlux)
     // bilinear interpolation of the map and of the look-up: both second order in the texel, .01 at side 4.
     const Pyramid pyramid(radianceOf(makeMap(128, 64, [](const vec3& d) { return vec3(1.0 + d.x + 0.5 * d.z * d.z); })).get());
     for (double lod : {0.0, 1.0, 2.0, 3.0, 4.0})
-        EXPECT_NEAR(integrateBand([&](const vec3& d) { return pyramid.at(d, lod); }, -1.0, 1.0, 200, 400) / (4.0 * pi), 1.0, lod < 3 ? 2e-3 : 1e-2) << lod;
+        EXPECT_NEAR(integrateBand([&](const vec3& d) { return pyramid.at(d, lod); }, -1.0, 1.0, 200, 400) / (4.0 * pi), 1.0,
+                    lod < 3 ? 2e-3 : 1e-2)
+            << lod;
 }

@@ -19,7 +19,7 @@ double integrateLobe(const std::function<double(const vec3&)>& f, double exponen
     return integratePeak(f, std::sqrt(2.0 / (exponent + 2.0)));
 }
 
-} // namespace
+}  // namespace
 
 TEST(phong, LobeIntegrals)
 {
@@ -93,7 +93,7 @@ TEST(phong, SamplesFollowThePdf)
         double meanCosine = 0.0;
         for (int i = 0; i < samples; ++i) {
             const vec3 l = glsl::phongSample(n, random.square());
-            ASSERT_NEAR(glsl::length(l), 1.0, 1e-7); // its sine is a series cut at x^4
+            ASSERT_NEAR(glsl::length(l), 1.0, 1e-7);  // its sine is a series cut at x^4
             meanCosine += l.z / samples;
             const double s = std::hypot(l.x, l.y) / l.z / alpha;
             const double phi = std::atan2(l.y, l.x) / (2.0 * pi) + 0.5;

@@ -9,7 +9,7 @@ using glsl::vec3;
 namespace
 {
 
-const int firstOfBand[] = {0, 1, 4, 9, 18}; // bands 0, 1, 2, 4
+const int firstOfBand[] = {0, 1, 4, 9, 18};  // bands 0, 1, 2, 4
 const double cosine[] = {pi, 2.0 * pi / 3.0, pi / 4.0, -pi / 24.0};
 
 // Coefficients of E/pi for one light of unit flux from d.
@@ -17,11 +17,12 @@ std::vector<vec3> ofLight(const vec3& d)
 {
     std::vector<vec3> c(18);
     for (int band = 0; band < 4; ++band)
-        for (int i = firstOfBand[band]; i < firstOfBand[band + 1]; ++i) c[size_t(i)] = vec3(cosine[band] / pi * glsl::shBasis18(i, d));
+        for (int i = firstOfBand[band]; i < firstOfBand[band + 1]; ++i)
+            c[size_t(i)] = vec3(cosine[band] / pi * glsl::shBasis18(i, d));
     return c;
 }
 
-} // namespace
+}  // namespace
 
 TEST(sh, Orthonormal)
 {

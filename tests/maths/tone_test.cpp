@@ -15,7 +15,7 @@ TEST(tone, ReinhardOnLuminance)
         const vec3 t = glsl::toneReinhard(c);
         const double l = glsl::dot(c, weights);
         EXPECT_NEAR(glsl::dot(t, weights), l / (1.0 + l), 1e-14);
-        EXPECT_NEAR(t.x * c.y, t.y * c.x, 1e-12); // the hue is kept
+        EXPECT_NEAR(t.x * c.y, t.y * c.x, 1e-12);  // the hue is kept
     }
     EXPECT_EQ(glsl::toneReinhard(vec3(0.0)), vec3(0.0));
 }
@@ -45,7 +45,7 @@ TEST(tone, NeutralIsContinuousMonotoneAndBounded)
     // 1 - .24^2 / (x - .04 + .24 - .76): 5.8e-8 below 1 at a million
     EXPECT_NEAR(before, 1.0 - 0.0576 / (std::exp(14.0) - 0.56), 1e-12);
     const vec3 red = glsl::toneNeutral(vec3(1e6, 0.0, 0.0));
-    EXPECT_GT(red.y, 0.99); // a highlight bends to white
+    EXPECT_GT(red.y, 0.99);  // a highlight bends to white
 }
 
 TEST(tone, SrgbKnownValues)

@@ -24,7 +24,10 @@ class Buffer
 {
   public:
     Buffer(const mat4& projection, int width, int height, const std::vector<Plane>& planes)
-        : _projection(projection), _inverse(glm::inverse(projection)), _size(width, height), _texels(size_t(4 * width * height), 1.0f)
+        : _projection(projection),
+          _inverse(glm::inverse(projection)),
+          _size(width, height),
+          _texels(size_t(4 * width * height), 1.0f)
     {
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) _texels[size_t(4 * (y * width + x))] = float(depthAt(vec2(x + 0.5, y + 0.5), planes));
@@ -106,7 +109,7 @@ void expectPlaneFree(const mat4& projection, double degrees, double azimuth)
     EXPECT_EQ(blocked, 0) << "of " << rays << " rays at " << degrees << " degrees, azimuth " << azimuth;
 }
 
-} // namespace
+}  // namespace
 
 TEST(visibility, APlaneNeverOccludesItself)
 {

@@ -73,7 +73,7 @@ void drawTriangle()
     glEnd();
 }
 
-} // namespace
+}  // namespace
 
 GlContext::GlContext() = default;
 
@@ -87,7 +87,8 @@ std::string GlContext::link(const std::string& vertex, const std::string& fragme
     }
 }
 
-std::vector<float> GlContext::render(const std::string& fragment, int width, int height, const std::vector<Texture>& textures) const
+std::vector<float> GlContext::render(const std::string& fragment, int width, int height,
+                                     const std::vector<Texture>& textures) const
 {
     const GLuint program =
         makeProgram("#version 330 compatibility\nvoid main() { gl_Position = vec4(gl_Vertex.xy, 0.0, 1.0); }\n", fragment);
@@ -120,7 +121,8 @@ std::vector<float> GlContext::render(const std::string& fragment, int width, int
 }
 
 std::vector<glm::vec4> GlContext::evaluate(const std::vector<std::string>& files, const std::string& body,
-                                           const std::vector<std::vector<glm::vec4>>& inputs, const std::vector<Texture>& textures) const
+                                           const std::vector<std::vector<glm::vec4>>& inputs,
+                                           const std::vector<Texture>& textures) const
 {
     const osg::ref_ptr<osgEnvLight::ShaderLibrary> library = new osgEnvLight::ShaderLibrary(nullptr);
     const size_t count = inputs.at(0).size();
@@ -143,6 +145,7 @@ std::vector<glm::vec4> GlContext::evaluate(const std::vector<std::string>& files
     text += "out vec4 result;\nvoid main()\n{\n" + fetches + body + "\n}\n";
     const std::vector<float> pixels = render(text, width, height, all);
     std::vector<glm::vec4> result;
-    for (size_t i = 0; i < count; ++i) result.emplace_back(pixels[4 * i], pixels[4 * i + 1], pixels[4 * i + 2], pixels[4 * i + 3]);
+    for (size_t i = 0; i < count; ++i)
+        result.emplace_back(pixels[4 * i], pixels[4 * i + 1], pixels[4 * i + 2], pixels[4 * i + 3]);
     return result;
 }

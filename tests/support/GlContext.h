@@ -14,7 +14,7 @@ class GlContext
   public:
     /** A texture of RGBA floats, row 0 at the bottom, clamped to its edge. */
     struct Texture {
-        std::string name; // of its sampler
+        std::string name;  // of its sampler
         int width;
         int height;
         std::vector<float> texels;
@@ -33,9 +33,10 @@ class GlContext
     std::vector<float> render(const std::string& fragment, int width, int height, const std::vector<Texture>& textures) const;
 
     /** `body`, GLSL that assigns `vec4 result` from vec4 `a`, `b`, ..., run once for each row of inputs: column k of row i
-      * is the i-th value of the k-th letter. `files` of shaders/ are included in front; textures serve the body too.*/
+     * is the i-th value of the k-th letter. `files` of shaders/ are included in front; textures serve the body too.*/
     std::vector<glm::vec4> evaluate(const std::vector<std::string>& files, const std::string& body,
-                                    const std::vector<std::vector<glm::vec4>>& inputs, const std::vector<Texture>& textures = {}) const;
+                                    const std::vector<std::vector<glm::vec4>>& inputs,
+                                    const std::vector<Texture>& textures = {}) const;
 
   private:
     HeadlessContext _context;

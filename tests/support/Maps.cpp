@@ -8,7 +8,7 @@ namespace testmaths
 
 glsl::vec3 texelDirection(int x, int y, int width, int height)
 {
-    const double azimuth = pi - 2.0 * pi * (x + 0.5) / width; // counter-clockwise from +X
+    const double azimuth = pi - 2.0 * pi * (x + 0.5) / width;  // counter-clockwise from +X
     const double polar = pi * (y + 0.5) / height;
     return glsl::vec3(std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar));
 }
@@ -59,4 +59,4 @@ std::vector<glsl::vec3> irradiance(const osgEnvLight::RadianceMap& map, const st
     return result;
 }
 
-} // namespace testmaths
+}  // namespace testmaths

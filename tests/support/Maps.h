@@ -32,4 +32,4 @@ osg::ref_ptr<const osgEnvLight::RadianceMap> radianceOf(const osg::ref_ptr<osg::
 /** Irradiance about each normal, by the sum over all texels. */
 std::vector<glsl::vec3> irradiance(const osgEnvLight::RadianceMap& map, const std::vector<glsl::vec3>& normals);
 
-} // namespace testmaths
+}  // namespace testmaths

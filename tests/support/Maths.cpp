@@ -129,8 +129,8 @@ double chiSquaredTest(const std::vector<double>& observed, const std::vector<dou
     if (pooledExpected >= 5.0)
         add(pooledObserved, pooledExpected);
     else if (pooledObserved > 5.0 + 5.0 * std::sqrt(5.0))
-        return 0.0; // five standard deviations more than fall into bins that expect next to nothing
+        return 0.0;  // five standard deviations more than fall into bins that expect next to nothing
     return bins > 1 ? chiSquaredTail(statistic, bins - 1) : 0.0;
 }
 
-} // namespace testmaths
+}  // namespace testmaths

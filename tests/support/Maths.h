@@ -63,7 +63,7 @@ double integrateBand(const std::function<double(const glsl::vec3&)>& f, double z
 glsl::vec3 fromSlope(double slope, double phi);
 
 /** Integral over the upper hemisphere of f peaked about +Z with width alpha (as tangent of the polar angle): the variable
-  * t = s/(1+s), s = tan/alpha, spreads peak and tail evenly.*/
+ * t = s/(1+s), s = tan/alpha, spreads peak and tail evenly.*/
 double integratePeak(const std::function<double(const glsl::vec3&)>& f, double alpha, int nt = 400, int nphi = 64);
 
 /** Probability that chi-squared with this many degrees of freedom exceeds x. */
@@ -78,4 +78,4 @@ inline double sidak(int runs)
     return 1.0 - std::pow(1.0 - 0.01, 1.0 / runs);
 }
 
-} // namespace testmaths
+}  // namespace testmaths

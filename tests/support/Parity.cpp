@@ -37,8 +37,8 @@ std::vector<vec3> directions(int count, unsigned seed)
     return result;
 }
 
-void expectParity(const std::vector<std::string>& files, const std::string& body, const std::vector<Row>& rows, const Function& exact,
-                  const Tolerance& tolerance, const std::vector<GlContext::Texture>& textures)
+void expectParity(const std::vector<std::string>& files, const std::string& body, const std::vector<Row>& rows,
+                  const Function& exact, const Tolerance& tolerance, const std::vector<GlContext::Texture>& textures)
 {
     std::vector<std::vector<glm::vec4>> columns(rows.at(0).size());
     for (const Row& row : rows)
@@ -54,10 +54,11 @@ void expectParity(const std::vector<std::string>& files, const std::string& body
             const double allowed = tolerance(inputs, cpu[c]);
             const double difference = std::abs(double(gpu[i][c]) - cpu[c]);
             const double share = difference == 0.0 ? 0.0 : difference / allowed;
-            if (share <= worst) continue; // a NaN goes on
+            if (share <= worst) continue;  // a NaN goes on
             worst = std::isnan(share) ? INFINITY : share;
-            where = "component " + std::to_string(c) + ": " + std::to_string(gpu[i][c]) + ", exact " + std::to_string(cpu[c]) + ", difference " +
-                    std::to_string(difference / 1e-6) + "e-6, allowed " + std::to_string(allowed / 1e-6) + "e-6, inputs";
+            where = "component " + std::to_string(c) + ": " + std::to_string(gpu[i][c]) + ", exact " + std::to_string(cpu[c]) +
+                    ", difference " + std::to_string(difference / 1e-6) + "e-6, allowed " + std::to_string(allowed / 1e-6) +
+                    "e-6, inputs";
             for (const glsl::vec4& v : inputs) {
                 char text[128];
                 snprintf(text, sizeof(text), " (%.9g %.9g %.9g %.9g)", v.x, v.y, v.z, v.w);
@@ -66,7 +67,6 @@ void expectParity(const std::vector<std::string>& files, const std::string& body
         }
     }
     EXPECT_LE(worst, 1.0) << body << "\n" << where << "\non " << context().renderer();
-    if (std::getenv("PRINT")) printf("%-90s %.3f %s\n", body.c_str(), worst, where.c_str());
 }
 
-} // namespace parity
+}  // namespace parity

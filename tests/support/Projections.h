@@ -27,4 +27,4 @@ inline glsl::mat4 orthographic(double l, double r, double b, double t, double n,
     return m;
 }
 
-} // namespace testmaths
+}  // namespace testmaths

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// A shader that does not compile is reported once, by file and line, and the host goes on showing the scene unlit.
+#include <SceneRenderer.h>
+
+#include <gtest/gtest.h>
+
+#include <sys/stat.h>
+
+#include <cstdlib>
+#include <fstream>
+
+using osgEnvLight::LitScene;
+
+namespace
+{
+
+class Overrides
+{
+  public:
+    Overrides() : _folder(testing::TempDir() + "envlight_shaders")
+    {
+        for (const char* f : {"", "/lib", "/pass"}) mkdir((_folder + f).c_str(), 0700);
+        setenv("ENVLIGHT_SHADER_PATH", _folder.c_str(), 1);
+    }
+    ~Overrides()
+    {
+        for (const std::string& f : _files) remove(f.c_str());
+        unsetenv("ENVLIGHT_SHADER_PATH");
+    }
+    void write(const std::string& name, const std::string& text)
+    {
+        _files.push_back(_folder + "/" + name);
+        std::ofstream(_files.back()) << text;
+    }
+
+  private:
+    std::string _folder;
+    std::vector<std::string> _files;
+};
+
+size_t occurrences(const std::string& text, const std::string& word)
+{
+    size_t n = 0;
+    for (size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++n;
+    return n;
+}
+
+} // namespace
+
+TEST(Shaders, AnErrorNamesTheRealFileAndLineAndTheSceneStaysUnlit)
+{
+    Overrides overrides;
+    SceneRenderer renderer(48, 48);
+    osg::ref_ptr<osg::Geode> sphere = makeSphere(osg::Vec3d(), 1.0);
+    osg::ref_ptr<osg::Group> plain = new osg::Group;
+    plain->addChild(sphere);
+    const Picture unlit = renderer.render(plain, 2);
+
+    overrides.write("lib/sh.glsl", "// a line\nvec3 shIrradiance(vec3 c[18], vec3 n) { return undeclared; }\n");
+    NotifyCatcher notify;
+    osg::ref_ptr<LitScene> lit = makeLit(constantMap(1.0).get());
+    lit->addChild(sphere);
+    renderer.render(lit, 3);
+    EXPECT_EQ(unlit.rgba, renderer.render(lit, 1).rgba);
+    EXPECT_NE(std::string::npos, notify.text().find("lib/sh.glsl:2")) << notify.text();
+    EXPECT_EQ(1u, occurrences(notify.text(), "osgEnvLight: ")) << notify.text();
+
+    overrides.write("lib/sh.glsl", "vec3 shIrradiance(vec3 c[18], vec3 n) { return vec3(0.25, 0.5, 0.75); }\n");
+    lit->reloadShaders();
+    EXPECT_NEAR(renderer.render(lit, 2).color(24, 24)[2] / renderer.render(lit, 1).color(24, 24)[0], 3.0, 0.02);
+}
+
+TEST(Shaders, AMissingIncludeIsOneMessage)
+{
+    Overrides overrides;
+    overrides.write("pass/diffuse.frag", "#version 330 compatibility\n#include \"lib/nowhere.glsl\"\nvoid main() {}\n");
+    NotifyCatcher notify;
+    SceneRenderer renderer(32, 32);
+    osg::ref_ptr<LitScene> lit = makeLit(constantMap(1.0).get());
+    lit->addChild(makeSphere(osg::Vec3d(), 1.0));
+    renderer.render(lit, 3);
+    EXPECT_NE(std::string::npos, notify.text().find("pass/diffuse.frag:2: no shader text named 'lib/nowhere.glsl'")) << notify.text();
+    EXPECT_EQ(1u, occurrences(notify.text(), "osgEnvLight: "));
+}

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// Several views, viewports, sizes, parents and threading models, on a display.
+#include <SceneRenderer.h>
+
+#include <osg/MatrixTransform>
+#include <osg/ShapeDrawable>
+#include <osgViewer/CompositeViewer>
+
+#include <gtest/gtest.h>
+
+using osgEnvLight::LitScene;
+
+namespace
+{
+
+// Reads the back buffer after a frame.
+class Grab : public osg::Camera::DrawCallback
+{
+  public:
+    Grab(int x, int y, int w, int h) : _x(x), _y(y), _w(w), _h(h) {}
+    void operator()(osg::RenderInfo&) const override
+    {
+        image = new osg::Image;
+        image->readPixels(_x, _y, _w, _h, GL_RGBA, GL_UNSIGNED_BYTE);
+    }
+    mutable osg::ref_ptr<osg::Image> image;
+
+  private:
+    int _x, _y, _w, _h;
+};
+
+osg::ref_ptr<osg::GraphicsContext> makeWindow(int w, int h)
+{
+    osg::ref_ptr<osg::GraphicsContext::Traits> traits = new osg::GraphicsContext::Traits;
+    traits->readDISPLAY();
+    traits->setUndefinedScreenDetailsToDefaultScreen();
+    traits->width = w;
+    traits->height = h;
+    traits->windowDecoration = false;
+    traits->doubleBuffer = true;
+    traits->red = traits->green = traits->blue = traits->alpha = 8;
+    traits->depth = 24;
+    return osg::GraphicsContext::createGraphicsContext(traits.get());
+}
+
+int largestByteDifference(const osg::Image& a, const osg::Image& b)
+{
+    int largest = a.getTotalSizeInBytes() == b.getTotalSizeInBytes() ? 0 : 256;
+    for (unsigned i = 0; i < a.getTotalSizeInBytes() && largest < 256; ++i)
+        largest = std::max(largest, std::abs(int(a.data()[i]) - int(b.data()[i])));
+    return largest;
+}
+
+int byteRange(const osg::Image& a)
+{
+    const auto [low, high] = std::minmax_element(a.data(), a.data() + a.getTotalSizeInBytes());
+    return int(*high) - int(*low);
+}
+
+osg::ref_ptr<LitScene> makeScene()
+{
+    osg::ref_ptr<LitScene> lit = new LitScene(makeMap(64, 32, sixDirectionColor));
+    lit->getSettings()->occlusionLights = 64;
+    lit->addChild(makeSphere(osg::Vec3d(), 1.0, 64));
+    osg::ref_ptr<osg::ShapeDrawable> dynamic = new osg::ShapeDrawable(new osg::Sphere(osg::Vec3(1.5f, 0, 0), 0.4f));
+    dynamic->setDataVariance(osg::Object::DYNAMIC);
+    lit->addChild(dynamic);
+    return lit;
+}
+
+struct View {
+    osg::ref_ptr<osgViewer::View> view;
+    osg::ref_ptr<Grab> grab;
+};
+
+View addView(osgViewer::CompositeViewer& viewer, osg::GraphicsContext* context, osg::Node* scene, int x, int y, int w, int h,
+             const osg::Vec3d& eye)
+{
+    View v{new osgViewer::View, new Grab(x, y, w, h)};
+    osg::Camera& camera = *v.view->getCamera();
+    v.view->setSceneData(scene);
+    camera.setGraphicsContext(context);
+    camera.setViewport(x, y, w, h);
+    camera.setProjectionMatrixAsPerspective(40, double(w) / h, 1, 10000);
+    camera.setViewMatrixAsLookAt(eye, osg::Vec3d(), osg::Vec3d(0, 0, 1));
+    camera.setDrawBuffer(GL_BACK);
+    camera.setReadBuffer(GL_BACK);
+    camera.setFinalDrawCallback(v.grab.get());
+    viewer.addView(v.view.get());
+    return v;
+}
+
+class Views : public testing::Test
+{
+  protected:
+    void SetUp() override
+    {
+        if (!std::getenv("DISPLAY")) GTEST_SKIP() << "needs a display; tests/run starts one";
+    }
+};
+
+// Frames with everything changing; the picture of the last, which is the same however the threads ran.
+osg::ref_ptr<osg::Image> run(osgViewer::ViewerBase::ThreadingModel model, bool twoParents, bool resize)
+{
+    osg::ref_ptr<LitScene> lit = makeScene();
+    osg::ref_ptr<osg::Group> root = new osg::Group;
+    root->addChild(lit);
+    if (twoParents) {
+        osg::ref_ptr<osg::MatrixTransform> second = new osg::MatrixTransform(osg::Matrix::translate(0, 3, 0.5));
+        second->addChild(lit);
+        root->addChild(second);
+    }
+    osgViewer::CompositeViewer viewer;
+    osg::ref_ptr<osg::GraphicsContext> context = makeWindow(256, 128);
+    if (!context) return nullptr;
+    View a = addView(viewer, context.get(), root.get(), 0, 0, 128, 128, osg::Vec3d(0, -5, 1));
+    View b = addView(viewer, context.get(), root.get(), 128, 0, 128, 128, osg::Vec3d(-4, -3, 2));
+    viewer.setThreadingModel(model);
+    viewer.realize();
+    const int frames = 40;
+    for (int i = 0; i < frames; ++i) {
+        lit->getEnvironmentMap()->setIntensity(0.5 + 0.02 * i);
+        lit->getEnvironmentMap()->setRotation(3.0 * i);
+        if (resize && i >= 10 && i < 30) b.view->getCamera()->setViewport(128, 0, 128 - i, 64 + i);
+        if (resize && i == 30) b.view->getCamera()->setViewport(128, 0, 128, 128);
+        viewer.frame(0.1 * i);
+    }
+    viewer.stopThreading();
+    EXPECT_EQ(twoParents ? 4u : 2u, lit->numViews());
+    return b.grab->image;
+}
+
+} // namespace
+
+TEST_F(Views, EveryThreadingModelDrawsTheSamePicture)
+{
+    using V = osgViewer::ViewerBase;
+    for (bool twoParents : {false, true}) {
+        const osg::ref_ptr<osg::Image> expected = run(V::SingleThreaded, twoParents, false);
+        ASSERT_TRUE(expected);
+        EXPECT_GT(byteRange(*expected), 50); // not an empty picture
+        for (V::ThreadingModel model : {V::CullDrawThreadPerContext, V::DrawThreadPerContext, V::CullThreadPerCameraDrawThreadPerContext}) {
+            const osg::ref_ptr<osg::Image> found = run(model, twoParents, true);
+            ASSERT_TRUE(found);
+            EXPECT_EQ(0, largestByteDifference(*expected, *found)) << "model " << model << ", two parents " << twoParents;
+        }
+    }
+}
+
+TEST_F(Views, AnOffsetViewportShowsTheSamePicture)
+{
+    osg::ref_ptr<osg::Image> pictures[2];
+    for (int i = 0; i < 2; ++i) {
+        osg::ref_ptr<LitScene> lit = makeScene();
+        osgViewer::CompositeViewer viewer;
+        viewer.setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
+        osg::ref_ptr<osg::GraphicsContext> context = makeWindow(256, 256);
+        ASSERT_TRUE(context);
+        View v = addView(viewer, context.get(), lit.get(), i * 100, i * 60, 120, 90, osg::Vec3d(0, -5, 1));
+        viewer.realize();
+        viewer.frame();
+        viewer.frame();
+        pictures[i] = v.grab->image;
+    }
+    EXPECT_LE(largestByteDifference(*pictures[0], *pictures[1]), 1); // the rasteriser's own rounding at another offset
+}
+
+TEST_F(Views, DataIsFreedWithTheView)
+{
+    osg::ref_ptr<LitScene> lit = makeScene();
+    osgViewer::CompositeViewer viewer;
+    viewer.setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
+    osg::ref_ptr<osg::GraphicsContext> context = makeWindow(256, 128);
+    ASSERT_TRUE(context);
+    View a = addView(viewer, context.get(), lit.get(), 0, 0, 128, 128, osg::Vec3d(0, -5, 1));
+    View b = addView(viewer, context.get(), lit.get(), 128, 0, 128, 128, osg::Vec3d(0, 5, 1));
+    viewer.realize();
+    viewer.frame();
+    EXPECT_EQ(2u, lit->numViews());
+    viewer.removeView(b.view.get());
+    b = View();
+    viewer.frame();
+    viewer.frame();
+    EXPECT_EQ(1u, lit->numViews());
+}
+
+TEST(Sizes, AViewportOfNothingAndOfOnePixelAndBack)
+{
+    SceneRenderer renderer(64, 64);
+    osg::ref_ptr<LitScene> lit = makeScene();
+    const Picture before = renderer.render(lit, 2);
+    NotifyCatcher notify;
+    for (const auto& [w, h] : {std::pair(0, 0), std::pair(1, 1), std::pair(7, 5), std::pair(64, 1), std::pair(3, 64)}) {
+        renderer.viewer().getCamera()->setViewport(0, 0, w, h);
+        EXPECT_TRUE(renderer.render(lit, 2).finite()) << w << "x" << h;
+    }
+    renderer.viewer().getCamera()->setViewport(0, 0, 64, 64);
+    EXPECT_EQ(before.rgba, renderer.render(lit, 2).rgba);
+    EXPECT_EQ("", notify.text());
+}
