@@ -3,6 +3,7 @@
 
 #include <osgEnvLight/BuiltinMaps>
 #include <osgEnvLight/RadianceHdr>
+#include <osgEnvLight/ReadMessage>
 
 #include <osg/Notify>
 #include <osgDB/FileNameUtils>
@@ -128,11 +129,13 @@ osg::ref_ptr<osg::Image> readHdr(const std::string& name, const osgDB::Options* 
 {
     std::string path = osgDB::findDataFile(name, options);
     if (path.empty() || osgDB::fileType(path) != osgDB::REGULAR_FILE) {
-        error = path.empty() ? "can't find it" : "it is not a file";
+        error = path.empty() ? "no such file" : "not a file";
         return nullptr;
     }
     osgDB::ifstream in(path.c_str(), std::ios::binary);
-    return readRadianceHdr(in, name, error);
+    osg::ref_ptr<osg::Image> image = readRadianceHdr(in, name, error);
+    if (!image && error.rfind(name + ": ", 0) == 0) error.erase(0, name.size() + 2);
+    return image;
 }
 
 osg::ref_ptr<osg::Image> readAny(const std::string& name, const osgDB::Options* options, std::string& error)
@@ -142,7 +145,7 @@ osg::ref_ptr<osg::Image> readAny(const std::string& name, const osgDB::Options* 
     if (extension == "hdr" || extension == "pic") return readHdr(name, options, error);
     osgDB::ReaderWriter::ReadResult result = osgDB::Registry::instance()->readImage(name, options);
     if (!result.validImage()) {
-        error = result.statusMessage();
+        error = readMessage(result, name);
         return nullptr;
     }
     return result.getImage();

@@ -2,6 +2,7 @@
 #include <osgEnvLight/SceneDescription>
 
 #include <osgEnvLight/Material>
+#include <osgEnvLight/ReadMessage>
 
 #include <osgDB/FileNameUtils>
 #include <osgDB/FileUtils>
@@ -254,9 +255,8 @@ osg::ref_ptr<osg::Node> loadModel(const std::string& name, const osgDB::Options*
 {
     osgDB::ReaderWriter::ReadResult result = osgDB::Registry::instance()->readNode(name, options);
     if (result.validNode()) return result.getNode();
-    std::string reason = result.statusMessage();
-    if (osgDB::findDataFile(name, options).empty()) reason = "no such file";
-    throw std::runtime_error(file + ": key 'model': '" + name + "' can't be read: " + reason);
+    const bool missing = osgDB::findDataFile(name, options).empty();
+    throw std::runtime_error(file + ": key 'model': '" + name + "': " + (missing ? "no such file" : readMessage(result, name)));
 }
 
 void checkMaterials(const MaterialVisitor& visitor, const std::string& file)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <osgEnvLight/ReadMessage>
 #include <osgEnvLight/SceneDescription>
 
 #include <osgDB/FileNameUtils>
@@ -72,8 +73,8 @@ class ReaderWriterEnvLight : public osgDB::ReaderWriter
         }
         ReadResult read = osgDB::Registry::instance()->readNode(model, options);
         if (!read.validNode()) {
-            error = file + ": the model '" + model + "' can't be read: " +
-                    (osgDB::findDataFile(model, options).empty() ? "no such file" : read.statusMessage());
+            const bool missing = osgDB::findDataFile(model, options).empty();
+            error = file + ": the model '" + model + "': " + (missing ? "no such file" : osgEnvLight::readMessage(read, model));
             return nullptr;
         }
         osg::ref_ptr<osgEnvLight::LitScene> lit = new osgEnvLight::LitScene;

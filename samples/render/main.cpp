@@ -69,8 +69,7 @@ osg::ref_ptr<osgEnvLight::LitScene> loadScene(const std::string& name)
     osgDB::ReaderWriter::ReadResult result = osgDB::Registry::instance()->readNode(pseudo, nullptr);
     osg::ref_ptr<osgEnvLight::LitScene> lit = dynamic_cast<osgEnvLight::LitScene*>(result.getNode());
     if (lit) return lit;
-    const std::string reason = result.statusMessage();
-    throw std::runtime_error(reason.empty() ? name + ": can't be read (is osgdb_envlight on OSG_LIBRARY_PATH?)" : reason);
+    throw std::runtime_error(result.message().empty() ? name + ": the plugin osgdb_envlight is not found on OSG_LIBRARY_PATH" : result.message());
 }
 
 void applyOptions(const Arguments& a, osgEnvLight::LitScene& lit)

@@ -176,7 +176,8 @@ TEST(Host, NoGlErrorAndNoWarning)
     for (int view = 0; view < osgEnvLight::Settings::NUM_VIEWS; ++view) {
         lit->getSettings()->view = view;
         lit->getSettings()->background = view % 3;
-        EXPECT_TRUE(renderer.render(lit, 3).finite());
+        const Picture p = renderer.render(lit, 3);
+        EXPECT_TRUE(p.finite() && !p.rgba.empty());
     }
     EXPECT_EQ("", notify.text()); // State checks for errors after every attribute, and reports them here
 }

@@ -95,4 +95,4 @@ TEST_P(Serializers, AMapByNameStaysAName)
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, Serializers, testing::Values(".osgt", ".osgb", ".osgx"),
-                         [](const auto& info) { return std::string(info.param + 1); });
+                         [](const auto& format) { return std::string(format.param + 1); });

@@ -188,13 +188,19 @@ TEST(Sizes, AViewportOfNothingAndOfOnePixelAndBack)
 {
     SceneRenderer renderer(64, 64);
     osg::ref_ptr<LitScene> lit = makeScene();
+    osg::ref_ptr<osg::Group> plain = new osg::Group;
+    plain->addChild(makeSphere(osg::Vec3d(), 1.0));
     const Picture before = renderer.render(lit, 2);
-    NotifyCatcher notify;
     for (const auto& [w, h] : {std::pair(0, 0), std::pair(1, 1), std::pair(7, 5), std::pair(64, 1), std::pair(3, 64)}) {
         renderer.viewer().getCamera()->setViewport(0, 0, w, h);
-        EXPECT_TRUE(renderer.render(lit, 2).finite()) << w << "x" << h;
+        NotifyCatcher notify;
+        renderer.render(plain, 2); // OSG itself gives an empty frame buffer a GL error; it is not for us to add another
+        const std::string withoutUs = notify.text();
+        notify.clear();
+        const Picture p = renderer.render(lit, 2);
+        EXPECT_TRUE(p.finite()) << w << "x" << h;
+        EXPECT_LE(notify.text().size(), withoutUs.size()) << w << "x" << h << ": " << notify.text();
     }
     renderer.viewer().getCamera()->setViewport(0, 0, 64, 64);
     EXPECT_EQ(before.rgba, renderer.render(lit, 2).rgba);
-    EXPECT_EQ("", notify.text());
 }

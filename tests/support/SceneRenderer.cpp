@@ -15,7 +15,7 @@ bool Picture::finite() const
 {
     for (float f : rgba)
         if (!std::isfinite(f)) return false;
-    return !rgba.empty();
+    return true;
 }
 
 double rootMeanSquare(const Picture& a, const Picture& b)
@@ -40,12 +40,19 @@ SceneRenderer::SceneRenderer(int width, int height) : _width(width), _height(hei
     osg::Camera& camera = *_viewer.getCamera();
     camera.setClearColor(osg::Vec4(0, 0, 0, 0));
     camera.setRenderTargetImplementation(osg::Camera::FRAME_BUFFER_OBJECT);
+    attachImage(width, height);
+    _window->getState()->setCheckForGLErrors(osg::State::ONCE_PER_ATTRIBUTE);
+    lookAt(osg::Vec3d(0, -4, 0), osg::Vec3d());
+}
+
+void SceneRenderer::attachImage(int width, int height)
+{
     _image = new osg::Image;
     _image->allocateImage(width, height, 1, GL_RGBA, GL_FLOAT);
     _image->setInternalTextureFormat(GL_RGBA32F_ARB);
-    camera.attach(osg::Camera::COLOR_BUFFER, _image.get());
-    _window->getState()->setCheckForGLErrors(osg::State::ONCE_PER_ATTRIBUTE);
-    lookAt(osg::Vec3d(0, -4, 0), osg::Vec3d());
+    _viewer.getCamera()->detach(osg::Camera::COLOR_BUFFER);
+    _viewer.getCamera()->attach(osg::Camera::COLOR_BUFFER, _image.get());
+    _viewer.getCamera()->dirtyAttachmentMap();
 }
 
 void SceneRenderer::lookAt(const osg::Vec3d& eye, const osg::Vec3d& target, const osg::Vec3d& up, double fovy)
@@ -57,10 +64,15 @@ void SceneRenderer::lookAt(const osg::Vec3d& eye, const osg::Vec3d& target, cons
 Picture SceneRenderer::render(osg::Node* scene, int frames)
 {
     if (_viewer.getSceneData() != scene) _viewer.setSceneData(scene);
+    const osg::Viewport& viewport = *_viewer.getCamera()->getViewport();
+    const int width = int(viewport.width());
+    const int height = int(viewport.height());
+    const bool empty = width < 1 || height < 1; // OSG itself crashes on an image of no pixels
+    if (!empty && (width != _image->s() || height != _image->t())) attachImage(width, height);
     for (int i = 0; i < frames; ++i) _viewer.frame(_time += 1.0 / 30.0);
-    Picture picture{_width, _height, {}};
+    Picture picture{width, height, {}};
     const float* p = reinterpret_cast<const float*>(_image->data());
-    picture.rgba.assign(p, p + 4 * size_t(_width * _height));
+    if (!empty) picture.rgba.assign(p, p + 4 * size_t(picture.width * picture.height));
     return picture;
 }
 

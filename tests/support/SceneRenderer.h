@@ -35,7 +35,7 @@ class SceneRenderer
   public:
     SceneRenderer(int width, int height);
 
-    /** The picture of the n-th frame. The projection's near and far follow the scene, as in any viewer. */
+    /** The picture of the n-th frame, of the size of the camera's viewport. The projection's near and far follow the scene, as in any viewer. */
     Picture render(osg::Node* scene, int frames = 1);
 
     void lookAt(const osg::Vec3d& eye, const osg::Vec3d& target, const osg::Vec3d& up = osg::Vec3d(0, 0, 1), double fovy = 40.0);
@@ -44,6 +44,8 @@ class SceneRenderer
 
 
   private:
+    void attachImage(int width, int height);
+
     HeadlessContext _context;
     osgViewer::Viewer _viewer;
     osg::ref_ptr<osgViewer::GraphicsWindowEmbedded> _window;
