@@ -13,6 +13,10 @@ endif()
 if(ENVLIGHT_SANITIZE)
     add_compile_options(-fsanitize=${ENVLIGHT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
     add_link_options(-fsanitize=${ENVLIGHT_SANITIZE})
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        # A false alarm in <regex> as soon as it is instrumented (GCC bug 105562).
+        add_compile_options(-Wno-maybe-uninitialized)
+    endif()
 endif()
 
 # An osgDB plugin: osgdb_<name>.so beside the host's own.

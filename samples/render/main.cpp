@@ -116,12 +116,13 @@ void setCamera(const Arguments& a, const osgEnvLight::LitScene& lit, osgViewer::
     const double aspect = double(a.width) / a.height;
     const auto view = chosenView(a, lit);
     osg::Camera& camera = *viewer.getCamera();
-    // Without a view of its own a scene is seen as osgviewer starts: the default opening angle, and the manipulator's home.
-    double fovy, defaultAspect, near, far;
-    camera.getProjectionMatrixAsPerspective(fovy, defaultAspect, near, far);
+    // Without a view of its own a scene is seen as osgviewer starts: the opening angle of a screen as DisplaySettings
+    // gives it, and the manipulator's home.
+    const osg::DisplaySettings& screen = *osg::DisplaySettings::instance();
+    double fovy = osg::RadiansToDegrees(2.0 * std::atan2(0.5 * screen.getScreenHeight(), double(screen.getScreenDistance())));
     if (view) fovy = view->fovy;
     if (a.fovy) fovy = *a.fovy;
-    camera.setProjectionMatrixAsPerspective(fovy, aspect, near, far);
+    camera.setProjectionMatrixAsPerspective(fovy, aspect, 1.0, 10000.0);
     if (view) {
         camera.setViewMatrixAsLookAt(view->eye, view->target, view->up);
         return;

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// The stock osgviewer, as Debian ships it, in a window: real models under real maps, by the plugin path alone. Its picture
+// is the one that envlight-render draws.
+#include <VirtualDisplay.h>
+
+#include <osgDB/ReadFile>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+namespace
+{
+
+const std::string models = "/usr/share/assimp/models/";
+const std::string maps = "/usr/share/blender/datafiles/studiolights/world/";
+const int width = 320;
+const int height = 240;
+
+struct Case {
+    const char* model;
+    const char* map; // of blender-data; "" = the built-in sky
+};
+
+const Case cases[] = {
+    {"OBJ/spider.obj", "courtyard.exr"},
+    {"OBJ/spider.obj", "studio.exr"},
+    {"OBJ/spider.obj", "sunset.exr"},
+    {"OBJ/WusonOBJ.obj", "sunset.exr"},
+    {"OBJ/cube_with_vertexcolors.obj", ""},
+    {"OBJ/regr01.obj", "courtyard.exr"},
+    {"PLY/Wuson.ply", "studio.exr"},
+    {"PLY/float-color.ply", "sunset.exr"},
+    {"STL/Spider_binary.stl", "courtyard.exr"},
+    {"3DS/fels.3ds", "sunset.exr"},
+    {"3DS/cube_with_specular_texture.3DS", "courtyard.exr"},
+    {"AC/SphereWithLight.ac", "studio.exr"},
+    {"LWO/LWO2/sphere_with_mat_gloss_10pc.lwo", "courtyard.exr"},
+    {"X/test_cube_text.x", "sunset.exr"},
+};
+
+class OsgViewer : public testing::Test
+{
+  protected:
+    OsgViewer() : _display(800, 600) {}
+
+    void SetUp() override
+    {
+        if (!_display.running()) GTEST_SKIP() << "no Xvfb";
+        if (std::system("command -v osgviewer >/dev/null")) GTEST_SKIP() << "no osgviewer";
+        if (!std::filesystem::exists(models)) GTEST_SKIP() << "no assimp-testmodels";
+        if (!std::filesystem::exists(maps)) GTEST_SKIP() << "no blender-data";
+    }
+
+    // The window's picture, and what the program said.
+    Screen show(const std::string& file, std::string& log, std::vector<std::string> options = {})
+    {
+        const TemporaryFolder folder;
+        std::vector<std::string> command = {"osgviewer", "--window", "0", "0", std::to_string(width), std::to_string(height), file};
+        command.insert(command.end(), options.begin(), options.end());
+        Screen screen;
+        {
+            BackgroundProgram viewer(command, folder.file("log"), {"DISPLAY=" + _display.name()});
+            screen = _display.waitForPicture(width, height, 120);
+        }
+        log = readFile(folder.file("log"));
+        return screen;
+    }
+
+    VirtualDisplay _display;
+};
+
+// The picture that envlight-render draws, rows from the top.
+Screen render(const std::string& model, const std::string& map)
+{
+    const TemporaryFolder folder;
+    std::vector<std::string> command = {std::string(ENVLIGHT_BINARY_DIR) + "/bin/envlight-render", model, "-o", folder.file("p.png"),
+                                        "--size", std::to_string(width) + "x" + std::to_string(height)};
+    if (!map.empty()) command.insert(command.end(), {"--env", map});
+    const Outcome o = runProgram(command);
+    EXPECT_EQ(0, o.status) << o.err;
+    const osg::ref_ptr<osg::Image> image = osgDB::readRefImageFile(folder.file("p.png"));
+    Screen s{width, height, {}};
+    for (int y = 0; image && y < height; ++y) {
+        const unsigned char* row = image->data(0, unsigned(height - 1 - y));
+        s.rgb.insert(s.rgb.end(), row, row + 3 * width);
+    }
+    return s;
+}
+
+double meanDifference(const Screen& a, const Screen& b)
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < a.rgb.size(); ++i) sum += std::abs(int(a.rgb[i]) - int(b.rgb[i]));
+    return sum / double(a.rgb.size());
+}
+
+} // namespace
+
+TEST_F(OsgViewer, ShowsRealModelsUnderRealMapsAsEnvlightRenderDoes)
+{
+    for (const Case& c : cases) {
+        SCOPED_TRACE(std::string(c.model) + " under " + c.map);
+        const std::string model = models + c.model;
+        const std::string map = *c.map ? maps + c.map : "";
+        std::string log;
+        const Screen window = show(map.empty() ? model + ".envlight" : model + ".(" + map + ").envlight", log);
+        ASSERT_FALSE(window.rgb.empty()) << "no picture; osgviewer said: " << log;
+        const Screen expected = render(model, map);
+        ASSERT_EQ(window.rgb.size(), expected.rgb.size());
+        EXPECT_LE(meanDifference(window, expected), 2.0); // of 255, as asked; both round to 8 bits after the same dither
+        EXPECT_EQ(std::string::npos, log.find("osgEnvLight")) << log;
+        EXPECT_EQ(std::string::npos, log.find("OpenGL error")) << log;
+        // A dark corner of the map is dark in both; a pixel that failed is black in the window alone.
+        for (size_t i = 0; i < window.rgb.size(); i += 3) {
+            const int sum = window.rgb[i] + window.rgb[i + 1] + window.rgb[i + 2];
+            if (expected.rgb[i] + expected.rgb[i + 1] + expected.rgb[i + 2] < 12) continue;
+            ASSERT_GT(sum, 0) << "a black pixel: " << (i / 3) % width << ", " << (i / 3) / width;
+        }
+    }
+}
+
+TEST_F(OsgViewer, ShowsAPictureInOtherThreadingModelsAndInStereo)
+{
+    for (const std::vector<std::string>& options :
+         {std::vector<std::string>{"--SingleThreaded"}, {"--CullThreadPerCameraDrawThreadPerContext"}, {"--stereo", "HORIZONTAL_SPLIT"}}) {
+        std::string log;
+        const Screen window = show(models + "OBJ/spider.obj.envlight", log, options);
+        EXPECT_FALSE(window.rgb.empty()) << options[0] << ": " << log;
+        EXPECT_EQ(std::string::npos, log.find("osgEnvLight")) << log;
+        EXPECT_EQ(std::string::npos, log.find("OpenGL error")) << log;
+    }
+}
