@@ -60,13 +60,21 @@ class MomentTable
     {
         const glsl::vec2 size(map.width * _repeatX, map.height * _repeatY);
         const int fineWidth = int(size.x);
+        std::vector<glsl::vec2> azimuth(size_t(fineWidth), glsl::vec2(0.0)); // (cos, sin) of each column
+        for (int x = 0; x < fineWidth; ++x) {
+            const glsl::vec3 d = glsl::directionFromLatlong(glsl::vec2((x + 0.5) / size.x, 0.5));
+            azimuth[size_t(x)] = glsl::vec2(d.x, d.y);
+        }
         for (int y = 0; y < int(size.y); ++y) {
             const double solidAngle = glsl::latlongTexelSolidAngle(y, size);
+            const double theta = glsl::PI * (y + 0.5) / size.y;
+            const double sinTheta = std::sin(theta);
+            const double cosTheta = std::cos(theta);
             for (int x = 0; x < fineWidth; ++x) {
                 const float* t = map.texel(x / _repeatX, y / _repeatY);
                 const osg::Vec3d flux = osg::Vec3d(t[0], t[1], t[2]) * solidAngle;
                 const double l = channelWeights * flux;
-                const glsl::vec3 d = glsl::directionFromLatlong(glsl::vec2(x + 0.5, y + 0.5) / size);
+                const glsl::vec3 d(sinTheta * azimuth[size_t(x)].x, sinTheta * azimuth[size_t(x)].y, cosTheta);
                 const Moments m = {l, l * d.x, l * d.y, l * d.z, flux[0], flux[1], flux[2]};
                 Moments& c = cell(x / _block + 1, y / _block + 1);
                 for (size_t k = 0; k < 7; ++k) c[k] += m[k];

@@ -28,10 +28,9 @@ struct Level {
     size_t index(unsigned x, unsigned y) const { return size_t(y) * side + x; }
 };
 
-osg::Vec3d mapBilinear(const RadianceMap& map, const glsl::vec3& d)
+osg::Vec3d mapBilinear(const RadianceMap& map, const glsl::vec2& uv)
 {
-    const glsl::vec2 uv = glsl::latlongFromDirection(d);
-    const double x = uv.x * map.width - 0.5;
+    const double x = (uv.x - std::floor(uv.x)) * map.width - 0.5;
     const double y = std::clamp(uv.y * map.height - 0.5, 0.0, double(map.height - 1));
     const int x0 = int(std::floor(x));
     const int y0 = int(y);
@@ -44,6 +43,53 @@ osg::Vec3d mapBilinear(const RadianceMap& map, const glsl::vec3& d)
     return (texel(x0, y0) * (1 - a) + texel(x0 + 1, y0) * a) * (1 - b) + (texel(x0, y0 + 1) * (1 - a) + texel(x0 + 1, y0 + 1) * a) * b;
 }
 
+// The map's coordinates over one texel of the pyramid: exact at its corners and linear between them, which spares an arc
+// tangent for each look-up; exact everywhere in the texels that hold a pole or straddle the fold or the seam.
+class TexelCoordinates
+{
+  public:
+    TexelCoordinates(unsigned x, unsigned y, unsigned side) : _x(x), _y(y), _side(side)
+    {
+        double low = 1.0;
+        double high = 0.0;
+        for (unsigned k = 0; k < 4; ++k) {
+            _corner[k] = exact(k & 1, k >> 1);
+            low = std::min(low, _corner[k].x);
+            high = std::max(high, _corner[k].x);
+        }
+        _linear = high - low < 0.02 && onOneFace();
+    }
+
+    glsl::vec2 at(double s, double t) const
+    {
+        if (!_linear) return exact(s, t);
+        return glsl::mix(glsl::mix(_corner[0], _corner[1], s), glsl::mix(_corner[2], _corner[3], s), t);
+    }
+
+    glsl::vec2 square(double s, double t) const { return glsl::vec2((_x + s) / _side, (_y + t) / _side); }
+
+  private:
+    glsl::vec2 exact(double s, double t) const
+    {
+        return glsl::latlongFromDirection(glsl::directionFromOctahedral(square(s, t)));
+    }
+
+    // The mapping has a kink where a face of the octahedron ends: on the axes and on the equator's diamond.
+    bool onOneFace() const
+    {
+        const int half = int(_side) / 2;
+        const int x = std::abs(2 * int(_x) + 1 - int(_side)) / 2;
+        const int y = std::abs(2 * int(_y) + 1 - int(_side)) / 2;
+        return x + y + 1 != half && x + y + 2 != half && x + y != half;
+    }
+
+    unsigned _x;
+    unsigned _y;
+    unsigned _side;
+    glsl::vec2 _corner[4];
+    bool _linear;
+};
+
 // Level 0: each texel averages as many look-ups as it covers texels of the map, at least 3 x 3, by solid angle.
 Level baseLevel(const RadianceMap& map, unsigned side)
 {
@@ -51,13 +97,15 @@ Level baseLevel(const RadianceMap& map, unsigned side)
     const unsigned sub = std::max(3u, unsigned(map.width) / side);
     for (unsigned y = 0; y < side; ++y)
         for (unsigned x = 0; x < side; ++x) {
+            const TexelCoordinates texel(x, y, side);
             osg::Vec3d sum;
             double weight = 0.0;
             for (unsigned j = 0; j < sub; ++j)
                 for (unsigned i = 0; i < sub; ++i) {
-                    const glsl::vec2 st((x + (i + 0.5) / sub) / side, (y + (j + 0.5) / sub) / side);
-                    const double w = glsl::octahedralSolidAngleDensity(st);
-                    sum += mapBilinear(map, glsl::directionFromOctahedral(st)) * w;
+                    const double s = (i + 0.5) / sub;
+                    const double t = (j + 0.5) / sub;
+                    const double w = glsl::octahedralSolidAngleDensity(texel.square(s, t));
+                    sum += mapBilinear(map, texel.at(s, t)) * w;
                     weight += w;
                 }
             level.radiance[level.index(x, y)] = sum / weight;

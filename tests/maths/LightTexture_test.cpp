@@ -86,21 +86,23 @@ TEST(LightTexture, DealingKeepsTheLights)
     EXPECT_EQ(a, b);
 }
 
-TEST(LightTexture, NeighboursOnTheCurveAreNeighboursOnTheSphere)
+TEST(LightTexture, TheCurveHasNoJumps)
 {
-    // 1024 even directions lie .11 rad apart. A jump of the curve over a fold of the square is longer: the median is not.
-    const LightList dealt = osgEnvLight::dealt(listOf(1024));
-    std::vector<double> angles;
-    for (size_t i = 1; i < dealt.size(); ++i)
-        angles.push_back(std::acos(std::min(1.0, dealt[i].direction * dealt[i - 1].direction)));
-    std::nth_element(angles.begin(), angles.begin() + 511, angles.end());
-    EXPECT_LT(angles[511], 0.16);
+    // Hilbert's curve keeps |p(a) - p(b)|^2 <= 6 |a - b| [Bauman 2006] on the unit square. Of 4096 even directions at least
+    // 4 fall into each of 16 x 16 cells, so that neighbours in the list are less than two cells apart along the curve.
+    const LightList dealt = osgEnvLight::dealt(listOf(4096));
+    double longest = 0.0;
+    for (size_t i = 1; i < dealt.size(); ++i) {
+        auto square = [](const osg::Vec3d& d) { return glsl::octahedralFromDirection(vec3(d[0], d[1], d[2])); };
+        longest = std::max(longest, glsl::length(square(dealt[i].direction) - square(dealt[i - 1].direction)));
+    }
+    EXPECT_LT(longest, std::sqrt(6.0 * 2.0 / 256.0));
 }
 
 TEST(LightTexture, EachGroupIsAGoodSampleOfTheMap)
 {
-    // sampling.md 6: a group's irradiance spreads by .062 about the groups' mean when dealt along the curve, .154 when at
-    // random, .376 in sorted blocks; ten real maps. A constant sky of even lights: below .05 asked, here.
+    // sampling.md 6, real maps: a group's irradiance spreads by .062 about the groups' mean when dealt along the curve, .154
+    // at random. Even lights of equal flux are an easier map: .0244 (measured), and .037 along a curve with jumps.
     LightList lights = listOf(1024);
     for (DirectionalLight& l : lights) l.flux = osg::Vec3d(1, 1, 1);
     const LightList dealt = osgEnvLight::dealt(lights);
@@ -117,5 +119,5 @@ TEST(LightTexture, EachGroupIsAGoodSampleOfTheMap)
         }
         for (double g : group) spread += (g / mean - 1.0) * (g / mean - 1.0) / 16.0 / double(normals.size());
     }
-    EXPECT_LT(std::sqrt(spread), 0.05);
+    EXPECT_LT(std::sqrt(spread), 0.03);
 }

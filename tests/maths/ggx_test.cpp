@@ -155,7 +155,7 @@ TEST(ggx, VisibleNormalsIntegrateToOne)
 
 TEST(ggx, SamplesFollowTheVisibleNormals)
 {
-    const int samples = 100000;
+    const int samples = 400000;
     const int nt = 16;
     const int nphi = 32;
     const int sub = 6;

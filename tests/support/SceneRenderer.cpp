@@ -3,6 +3,7 @@
 
 #include <osg/Geometry>
 
+#include <chrono>
 #include <cmath>
 
 osg::Vec3d Picture::color(int x, int y) const
@@ -74,6 +75,26 @@ Picture SceneRenderer::render(osg::Node* scene, int frames)
     const float* p = reinterpret_cast<const float*>(_image->data());
     if (!empty) picture.rgba.assign(p, p + 4 * size_t(picture.width * picture.height));
     return picture;
+}
+
+std::vector<double> SceneRenderer::time(osg::Node* scene, int frames)
+{
+    if (_image) {
+        _image = nullptr;
+        _window->getState()->setCheckForGLErrors(osg::State::NEVER_CHECK_GL_ERRORS);
+        _viewer.getCamera()->detach(osg::Camera::COLOR_BUFFER);
+        _viewer.getCamera()->attach(osg::Camera::COLOR_BUFFER, osgEnvLight::targetTexture(_width, _height, GL_RGBA8).get());
+        _viewer.getCamera()->dirtyAttachmentMap();
+    }
+    if (_viewer.getSceneData() != scene) _viewer.setSceneData(scene);
+    std::vector<double> milliseconds;
+    for (int i = 0; i < frames; ++i) {
+        const auto start = std::chrono::steady_clock::now();
+        _viewer.frame(_time += 1.0 / 30.0);
+        glFinish();
+        milliseconds.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    }
+    return milliseconds;
 }
 
 osg::ref_ptr<osg::Image> constantMap(double radiance)

@@ -38,6 +38,10 @@ class SceneRenderer
     /** The picture of the n-th frame, of the size of the camera's viewport. The projection's near and far follow the scene, as in any viewer. */
     Picture render(osg::Node* scene, int frames = 1);
 
+    /** Milliseconds of each of the frames, until the GPU is done, into a texture: nothing is read back. render() can't be
+      * used afterwards.*/
+    std::vector<double> time(osg::Node* scene, int frames);
+
     void lookAt(const osg::Vec3d& eye, const osg::Vec3d& target, const osg::Vec3d& up = osg::Vec3d(0, 0, 1), double fovy = 40.0);
     osgViewer::Viewer& viewer() { return _viewer; }
     osg::State& state() { return *_window->getState(); }
