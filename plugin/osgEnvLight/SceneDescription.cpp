@@ -193,10 +193,12 @@ json parse(std::istream& in, const std::string& name)
 {
     try {
         return json::parse(in);
-    } catch (const json::parse_error& e) {
-        std::string what = e.what();
+    } catch (const json::exception& e) { // a fault of syntax, or a number beyond a double
+        const std::string what = e.what();
         const size_t at = what.find("at line");
-        throw std::runtime_error(name + ": not valid JSON" + (at == std::string::npos ? std::string() : " " + what.substr(at)));
+        const size_t words = what.find("] ");
+        const std::string detail = at != std::string::npos ? " " + what.substr(at) : words != std::string::npos ? ": " + what.substr(words + 2) : "";
+        throw std::runtime_error(name + ": not valid JSON" + detail);
     }
 }
 

@@ -98,7 +98,7 @@ TEST(Settings, DefaultsAreValid)
     std::string error;
     EXPECT_TRUE(settings->valid(error)) << error;
     EXPECT_EQ(settings->diffuseLights, 128);
-    EXPECT_EQ(settings->occlusionLights, 1024);
+    EXPECT_EQ(settings->occlusionLights, 512);
 }
 
 TEST(Settings, OutsideTheRangeNothingChangesAndTheRangeIsNamed)
