@@ -49,7 +49,7 @@ osg::ref_ptr<osg::Image> makeTable()
     return image;
 }
 
-} // namespace
+}  // namespace
 
 osg::ref_ptr<osg::Image> albedoTableImage()
 {
@@ -57,4 +57,4 @@ osg::ref_ptr<osg::Image> albedoTableImage()
     return image;
 }
 
-} // namespace osgEnvLight
+}  // namespace osgEnvLight

@@ -7,35 +7,33 @@
 #include <array>
 #include <cmath>
 
+#include "glsl.h"
+
 namespace osgEnvLight
 {
 
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846;
+const double pi = glsl::PI;
 constexpr int width = 1024, height = 512;
-
-// Polar angle and azimuth at image coordinates counted in texels from the top left.
-double polarAt(double y)
-{
-    return pi * y / height;
-}
-
-double azimuthAt(double x)
-{
-    return 2 * pi * (0.5 - x / width);
-}
 
 osg::Vec3d direction(double polar, double azimuth)
 {
     return {std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar)};
 }
 
+// At image coordinates counted in texels from the top left.
+osg::Vec3d directionAt(double x, double y)
+{
+    const glsl::vec3 d = glsl::directionFromLatlong(glsl::vec2(x / width, y / height));
+    return {d.x, d.y, d.z};
+}
+
 // Of a texel of row y counted from the top.
 double solidAngle(int y)
 {
-    return 2 * pi / width * (std::cos(polarAt(y)) - std::cos(polarAt(y + 1)));
+    return glsl::latlongTexelSolidAngle(y, glsl::vec2(width, height));
 }
 
 osg::ref_ptr<osg::Image> emptyMap()
@@ -70,7 +68,7 @@ double smoothStep(double from, double to, double x)
 // The sky of [Preetham, Shirley, Smits 1999]: the distribution function of Perez (their eq. 3) for luminance Y and
 // chromaticity x, y, with the coefficients of their appendix A.2.
 constexpr double turbidity = 2.6;
-constexpr double sunElevation = pi / 4, sunAzimuth = pi * -130 / 180, sunRadius = pi * 0.265 / 180;
+const double sunElevation = pi / 4, sunAzimuth = pi * -130 / 180, sunRadius = pi * 0.265 / 180;
 
 struct Perez {
     std::array<double, 5> slope, offset;  // A, B, C, D, E = slope * turbidity + offset
@@ -122,7 +120,7 @@ class Sky
     }
 
   private:
-    static constexpr double sunPolar = pi / 2 - sunElevation;
+    const double sunPolar = pi / 2 - sunElevation;
 
     osg::Vec3d _sun = direction(sunPolar, sunAzimuth);
     double _x = zenith(zenithx, sunPolar) / perezx(1, sunPolar);
@@ -136,7 +134,7 @@ osg::Vec3d fillSky(osg::Image& image, const Sky& sky, double& scale)
     double flux = 0;
     for (int y = 0; y < height / 2; ++y)
         for (int x = 0; x < width; ++x) {
-            const osg::Vec3d d = direction(polarAt(y + 0.5), azimuthAt(x + 0.5)), radiance = sky(d);
+            const osg::Vec3d d = directionAt(x + 0.5, y + 0.5), radiance = sky(d);
             texel(image, x, y) = radiance;
             irradiance += radiance * (d.z() * solidAngle(y));
             flux += luminance(radiance) * solidAngle(y);
@@ -153,9 +151,9 @@ void fillGround(osg::Image& image, const Sky& sky, double scale, const osg::Vec3
     const osg::Vec3d albedo(0.225, 0.198, 0.155), plain = osg::componentMultiply(albedo, irradiance) / pi;
     constexpr double haze = 0.02;
     for (int x = 0; x < width; ++x) {
-        const osg::Vec3d horizon = sky(direction(pi / 2, azimuthAt(x + 0.5))) * scale;
+        const osg::Vec3d horizon = sky(directionAt(x + 0.5, 0.5 * height)) * scale;
         for (int y = height / 2; y < height; ++y) {
-            const double depression = polarAt(y + 0.5) - pi / 2;
+            const double depression = pi * (y + 0.5) / height - pi / 2;
             texel(image, x, y) = mix(horizon, plain, std::exp(-haze / std::tan(depression)));
         }
     }
@@ -170,7 +168,7 @@ double sunCoverage(int x, int y)
     for (int j = 0; j < samples; ++j)
         for (int i = 0; i < samples; ++i) {
             const double u = x + (i + 0.5) / samples, v = y + (j + 0.5) / samples;
-            if (direction(polarAt(v), azimuthAt(u)) * sun > std::cos(sunRadius)) ++inside;
+            if (directionAt(u, v) * sun > std::cos(sunRadius)) ++inside;
         }
     return double(inside) / (samples * samples);
 }
@@ -178,8 +176,10 @@ double sunCoverage(int x, int y)
 void addSun(osg::Image& image, const osg::Vec3d& flux)
 {
     constexpr int reach = 3;
-    constexpr int centreX = static_cast<int>(width * (0.5 - sunAzimuth / (2 * pi)));
-    constexpr int centreY = static_cast<int>(height * (pi / 2 - sunElevation) / pi);
+    const osg::Vec3d sun = direction(pi / 2 - sunElevation, sunAzimuth);
+    const glsl::vec2 centre = glsl::latlongFromDirection(glsl::vec3(sun.x(), sun.y(), sun.z()));
+    const int centreX = static_cast<int>(width * centre.x);
+    const int centreY = static_cast<int>(height * centre.y);
     double covered = 0;
     for (int y = centreY - reach; y <= centreY + reach; ++y)
         for (int x = centreX - reach; x <= centreX + reach; ++x) covered += sunCoverage(x, y) * solidAngle(y);
@@ -233,7 +233,7 @@ osg::ref_ptr<osg::Image> makeStudio()
     osg::ref_ptr<osg::Image> image = emptyMap();
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            const osg::Vec3d d = direction(polarAt(y + 0.5), azimuthAt(x + 0.5));
+            const osg::Vec3d d = directionAt(x + 0.5, y + 0.5);
             osg::Vec3d radiance = mix(floor, mix(wall, ceiling, smoothStep(0, 0.9, d.z())), smoothStep(-0.5, 0, d.z()));
             for (const SoftBox& box : softBoxes) radiance += box(d);
             texel(*image, x, y) = radiance;

@@ -15,9 +15,9 @@ namespace
 
 const unsigned on = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
 const unsigned off = osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
-const int forwardTextureUnit = 8; // beyond the units that fixed-function state reaches
+const int forwardTextureUnit = 8;  // beyond the units that fixed-function state reaches
 
-} // namespace
+}  // namespace
 
 osg::StateSet& DeferredTechnique::gbufferState(Cull& c)
 {
@@ -40,7 +40,8 @@ osg::StateSet& DeferredTechnique::passState(Cull& c, const std::string& name, co
     for (GLenum mode : {GL_BLEND, GL_CULL_FACE, GL_LIGHTING, GL_ALPHA_TEST}) s.setMode(mode, off);
     s.setAttribute(new osg::PolygonMode, on);
     const bool composite = name == "composite";
-    s.setAttributeAndModes(new osg::Depth(composite ? osg::Depth::LEQUAL : osg::Depth::ALWAYS, 0, 1, composite), composite ? on : off);
+    s.setAttributeAndModes(new osg::Depth(composite ? osg::Depth::LEQUAL : osg::Depth::ALWAYS, 0, 1, composite),
+                           composite ? on : off);
     if (!composite) s.setAttribute(c.view.viewport());
     std::vector<Sampler> all = {{"albedoMap", c.gbuffer.albedo.get()},
                                 {"normalMap", c.gbuffer.normal.get()},
@@ -205,4 +206,4 @@ osg::StateSet& DeferredTechnique::forwardState(Cull& c)
     return *c.frame.forwardState;
 }
 
-} // namespace osgEnvLight
+}  // namespace osgEnvLight

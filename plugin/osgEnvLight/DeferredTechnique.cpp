@@ -31,10 +31,9 @@ bool isOrthographic(const osg::Matrixd& projection)
     return projection(2, 3) == 0.0;
 }
 
-} // namespace
+}  // namespace
 
-DeferredTechnique::DeferredTechnique()
-    : _sorter(new SurfaceSorter), _failure(new Failure), _settings(new Settings)
+DeferredTechnique::DeferredTechnique() : _sorter(new SurfaceSorter), _failure(new Failure), _settings(new Settings)
 {
     _library = new ShaderLibrary(_failure.get());
 }
@@ -56,8 +55,13 @@ try {
     vd.fit(int(viewport->width()), int(viewport->height()), textures.get());
     GBuffer& gbuffer = node.getGBuffer() ? *node.getGBuffer() : vd.gbuffer();
     const double degrees = node.getEnvironmentMap()->getRotation();
-    Cull c{vd,      vd.frame(&cv), *host, *settings,
-           gbuffer, osg::Matrixd::rotate(osg::DegreesToRadians(-degrees), 0, 0, 1), node.getTimed()};
+    Cull c{vd,
+           vd.frame(&cv),
+           *host,
+           *settings,
+           gbuffer,
+           osg::Matrixd::rotate(osg::DegreesToRadians(-degrees), 0, 0, 1),
+           node.getTimed()};
     const double radianceScale = textures->map().mean * node.getEnvironmentMap()->getIntensity();
     const double radius = node.getBound().valid() ? double(node.getBound().radius()) : 0.0;
     const osg::Matrixd worldFromEye =
@@ -70,8 +74,8 @@ try {
     fillGBuffer(c, node, cv, forward);
 
     lock.lock();
-    const bool measure = settings->diffuse && settings->diffuseCarrier == Settings::AUTO && radianceScale > 0.0 &&
-                         vd.plan.surfaces.deferred > 0;
+    const bool measure =
+        settings->diffuse && settings->diffuseCarrier == Settings::AUTO && radianceScale > 0.0 && vd.plan.surfaces.deferred > 0;
     const DiffuseCarrier carrier = measure ? textures->carrier(unsigned(settings->diffuseLights)) : DiffuseCarrier();
     vd.plan = Plan::make(*settings, vd.plan.surfaces, radianceScale <= 0.0, radius, carrier);
     addPasses(c, cv);
@@ -94,7 +98,7 @@ osg::ref_ptr<const Settings> DeferredTechnique::currentSettings(const LitScene& 
     }
     for (const Settings::Property& p : Settings::table())
         if (p.get(wanted) != p.get(*_settings)) {
-            _settings = new Settings(wanted); // another traversal may still read the former ones
+            _settings = new Settings(wanted);  // another traversal may still read the former ones
             break;
         }
     return _settings;
@@ -105,7 +109,8 @@ osg::ref_ptr<MapTextures> DeferredTechnique::currentTextures(const LitScene& nod
     std::string error;
     const EnvironmentMap& map = *node.getEnvironmentMap();
     if (!std::isfinite(map.getIntensity()) || map.getIntensity() < 0.0 || !std::isfinite(map.getRotation())) {
-        reportOnce("intensity and rotation of the environment map must be finite, intensity not negative; the scene is shown unlit");
+        reportOnce(
+            "intensity and rotation of the environment map must be finite, intensity not negative; the scene is shown unlit");
         return nullptr;
     }
     osg::ref_ptr<const RadianceMap> radiance = map.radiance(error);
@@ -247,4 +252,4 @@ void DeferredTechnique::releaseGLObjects(osg::State* state) const
     for (const auto& [key, view] : _views) view->releaseGLObjects(state);
 }
 
-} // namespace osgEnvLight
+}  // namespace osgEnvLight

@@ -15,7 +15,7 @@ namespace osgEnvLight
 namespace
 {
 
-const double smallError = 0.002; // below what half floats and the occlusion term leave
+const double smallError = 0.002;  // below what half floats and the occlusion term leave
 
 // The map as the lights of its own texels, or of blocks of them no larger than 1.4 degrees (the error of a block's own
 // irradiance is of second order: under 1e-4).
@@ -56,7 +56,7 @@ osg::Vec3d irradiance(const RadianceMap& map, const osg::Vec3d& n)
     return osg::Vec3d(std::max(sum[0], 0.0), std::max(sum[1], 0.0), std::max(sum[2], 0.0));
 }
 
-} // namespace
+}  // namespace
 
 DiffuseCarrier chooseCarrier(const RadianceMap& map, const LightList& lights)
 {
@@ -81,4 +81,4 @@ DiffuseCarrier chooseCarrier(const RadianceMap& map, const LightList& lights)
     return result;
 }
 
-} // namespace osgEnvLight
+}  // namespace osgEnvLight

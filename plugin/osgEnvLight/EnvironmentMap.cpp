@@ -13,6 +13,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <locale>
+#include <sstream>
 
 #include "glsl.h"
 
@@ -22,7 +24,7 @@ namespace osgEnvLight
 namespace
 {
 
-const double negativeTolerance = 1e-4; // of the flux: what compression leaves in real maps, and no more
+const double negativeTolerance = 1e-4;  // of the flux: what compression leaves in real maps, and no more
 
 std::string describe(const osg::Image& image)
 {
@@ -44,7 +46,8 @@ osg::Vec3d readTexel(const osg::Image& image, int x, int y)
     }
     osg::Vec3d c;
     osg::Vec4 color = image.getColor(unsigned(x), unsigned(t));
-    for (int i = 0; i < 3; ++i) c[i] = isEncoded(image) ? glsl::srgbDecode(double(color[unsigned(i)])) : double(color[unsigned(i)]);
+    for (int i = 0; i < 3; ++i)
+        c[i] = isEncoded(image) ? glsl::srgbDecode(double(color[unsigned(i)])) : double(color[unsigned(i)]);
     return c;
 }
 
@@ -65,6 +68,15 @@ struct Findings {
     std::string firstNegative;
     double negativeFlux = 0.0;
 };
+
+std::string percent(double x)
+{
+    std::ostringstream out;
+    out.imbue(std::locale::classic());
+    out.precision(3);
+    out << 100.0 * x << " %";
+    return out.str();
+}
 
 std::string texelName(int x, int y)
 {
@@ -151,7 +163,7 @@ osg::ref_ptr<osg::Image> readAny(const std::string& name, const osgDB::Options* 
     return result.getImage();
 }
 
-} // namespace
+}  // namespace
 
 EnvironmentMap::EnvironmentMap(osg::Image* image)
 {
@@ -185,12 +197,6 @@ bool EnvironmentMap::load(const std::string& name, const osgDB::Options* options
     return true;
 }
 
-void EnvironmentMap::setMap(const std::string& name)
-{
-    std::string error;
-    if (!load(name, nullptr, error)) OSG_WARN << "osgEnvLight: " << error << std::endl;
-}
-
 void EnvironmentMap::setImage(osg::Image* image)
 {
     _image = image;
@@ -201,7 +207,8 @@ osg::ref_ptr<const RadianceMap> EnvironmentMap::radiance(std::string& error) con
 {
     std::lock_guard<std::mutex> lock(_mutex);
     const unsigned count = _image ? _image->getModifiedCount() : 0;
-    const bool current = (_radiance || !_error.empty()) && _madeFrom == _image.get() && _madeAtCount == count && _madeStrict == _strict;
+    const bool current =
+        (_radiance || !_error.empty()) && _madeFrom == _image.get() && _madeAtCount == count && _madeStrict == _strict;
     if (current) {
         error = _error;
         return _radiance;
@@ -219,8 +226,8 @@ osg::ref_ptr<const RadianceMap> EnvironmentMap::radiance(std::string& error) con
         if (map->notFinite > 0)
             report += " " + std::to_string(map->notFinite) + " texels are not finite, the first is " + found.firstNotFinite + ";";
         if (map->negativeShare > negativeTolerance)
-            report += " " + std::to_string(map->negative) + " texels are negative (" + std::to_string(100.0 * map->negativeShare) +
-                      " % of the flux), the first is " + found.firstNegative + ";";
+            report += " " + std::to_string(map->negative) + " texels are negative (" + percent(map->negativeShare) +
+                      " of the flux), the first is " + found.firstNegative + ";";
         if (_strict)
             _error = report + " refused, because strict is on";
         else
@@ -231,4 +238,4 @@ osg::ref_ptr<const RadianceMap> EnvironmentMap::radiance(std::string& error) con
     return _radiance;
 }
 
-} // namespace osgEnvLight
+}  // namespace osgEnvLight

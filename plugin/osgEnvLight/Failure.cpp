@@ -11,4 +11,4 @@ void Failure::report(const std::string& message)
     if (!_happened.exchange(true)) OSG_WARN << "osgEnvLight: " << message << "; the scene is shown unlit" << std::endl;
 }
 
-} // namespace osgEnvLight
+}  // namespace osgEnvLight

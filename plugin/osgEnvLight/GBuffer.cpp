@@ -52,4 +52,4 @@ void GBuffer::releaseGLObjects(osg::State* state) const
     _frameBuffer->releaseGLObjects(state);
 }
 
-} // namespace osgEnvLight
+}  // namespace osgEnvLight

@@ -59,7 +59,7 @@ void GBufferCallback::setState(osg::StateSet& stateSet, osg::Program* program, o
 {
     stateSet.setAttribute(program, osg::StateAttribute::ON | osg::StateAttribute::PROTECTED);
     stateSet.setMode(GL_BLEND, osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE);
-    stateSet.setAttribute(viewport); // the host's own is re-applied with its state
+    stateSet.setAttribute(viewport);  // the host's own is re-applied with its state
     stateSet.addUniform(new osg::Uniform("baseColorMap", 0));
 }
 
@@ -86,7 +86,8 @@ void GBufferCallback::operator()(osg::Node* node, osg::NodeVisitor* nv)
         return;
     }
     std::vector<ForwardGraph> leftOut;
-    fill(*cv, *cv->getCurrentRenderBin(), nullptr, [] { return nullptr; }, leftOut, [&] { traverse(node, nv); });
+    fill(
+        *cv, *cv->getCurrentRenderBin(), nullptr, [] { return nullptr; }, leftOut, [&] { traverse(node, nv); });
 }
 
 osgUtil::StateGraph& GBufferCallback::push(osgUtil::CullVisitor& cv)
@@ -100,4 +101,4 @@ void GBufferCallback::pop(osgUtil::CullVisitor& cv)
     cv.popStateSet();
 }
 
-} // namespace osgEnvLight
+}  // namespace osgEnvLight

@@ -23,7 +23,7 @@ class QueryManager : public osg::GLObjectManager
     }
 };
 
-} // namespace
+}  // namespace
 
 GpuTimer::~GpuTimer()
 {
@@ -82,4 +82,4 @@ double GpuTimer::cpu() const
     return _cpu;
 }
 
-} // namespace osgEnvLight
+}  // namespace osgEnvLight

@@ -60,7 +60,7 @@ class MomentTable
     {
         const glsl::vec2 size(map.width * _repeatX, map.height * _repeatY);
         const int fineWidth = int(size.x);
-        std::vector<glsl::vec2> azimuth(size_t(fineWidth), glsl::vec2(0.0)); // (cos, sin) of each column
+        std::vector<glsl::vec2> azimuth(size_t(fineWidth), glsl::vec2(0.0));  // (cos, sin) of each column
         for (int x = 0; x < fineWidth; ++x) {
             const glsl::vec3 d = glsl::directionFromLatlong(glsl::vec2((x + 0.5) / size.x, 0.5));
             azimuth[size_t(x)] = glsl::vec2(d.x, d.y);
@@ -93,7 +93,8 @@ class MomentTable
         const double b = v - y;
         Moments m;
         for (size_t k = 0; k < 7; ++k)
-            m[k] = (1 - b) * ((1 - a) * cell(x, y)[k] + a * cell(x + 1, y)[k]) + b * ((1 - a) * cell(x, y + 1)[k] + a * cell(x + 1, y + 1)[k]);
+            m[k] = (1 - b) * ((1 - a) * cell(x, y)[k] + a * cell(x + 1, y)[k]) +
+                   b * ((1 - a) * cell(x, y + 1)[k] + a * cell(x + 1, y + 1)[k]);
         return m;
     }
 
@@ -107,7 +108,7 @@ struct Region {
     double u0, v0, u1, v1;
     Moments m;
     double cost;
-    unsigned index; // ties go to the older region
+    unsigned index;  // ties go to the older region
 
     bool operator<(const Region& o) const { return cost != o.cost ? cost < o.cost : index > o.index; }
 };
@@ -143,7 +144,8 @@ class Splitter
         const double theta0 = glsl::PI * r.v0 / _table.height;
         const double theta1 = glsl::PI * r.v1 / _table.height;
         const bool equator = theta0 < 0.5 * glsl::PI && theta1 > 0.5 * glsl::PI;
-        const double w = glsl::TWO_PI * (r.u1 - r.u0) / _table.width * (equator ? 1.0 : std::max(std::sin(theta0), std::sin(theta1)));
+        const double w =
+            glsl::TWO_PI * (r.u1 - r.u0) / _table.width * (equator ? 1.0 : std::max(std::sin(theta0), std::sin(theta1)));
         const double h = theta1 - theta0;
         if (w > 2.5 * h) return cut(r, true);
         if (w < 0.4 * h) return cut(r, false);
@@ -192,8 +194,8 @@ DirectionalLight lightOf(const Region& r, const MomentTable& table)
     if (d.length() > 1e-12 * r.m[0] && r.m[0] > 0.0) {
         d.normalize();
     } else {
-        const glsl::vec3 c = glsl::directionFromLatlong(
-            glsl::vec2(0.5 * (r.u0 + r.u1) / table.width, 0.5 * (r.v0 + r.v1) / table.height));
+        const glsl::vec3 c =
+            glsl::directionFromLatlong(glsl::vec2(0.5 * (r.u0 + r.u1) / table.width, 0.5 * (r.v0 + r.v1) / table.height));
         d = osg::Vec3d(c.x, c.y, c.z);
     }
     // Differences of the table go to -1e-16 of the total beside bright areas.
@@ -209,7 +211,7 @@ void scaleToFlux(LightList& lights, const osg::Vec3d& flux)
             if (sum[i] > 0.0) l.flux[i] *= flux[i] / sum[i];
 }
 
-} // namespace
+}  // namespace
 
 LightList SplitSampler::sample(const RadianceMap& map, unsigned count) const
 {
@@ -233,4 +235,4 @@ LightList SplitSampler::sample(const RadianceMap& map, unsigned count) const
     return lights;
 }
 
-} // namespace osgEnvLight
+}  // namespace osgEnvLight

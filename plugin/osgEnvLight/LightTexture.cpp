@@ -39,7 +39,7 @@ uint32_t hilbertIndex(const osg::Vec3d& d)
     return hilbertIndex(cell(st.x), cell(st.y));
 }
 
-} // namespace
+}  // namespace
 
 LightList dealt(LightList lights)
 {
@@ -77,4 +77,4 @@ osg::ref_ptr<osg::Texture2D> lightTexture(const LightList& lights, unsigned grou
     return texture;
 }
 
-} // namespace osgEnvLight
+}  // namespace osgEnvLight

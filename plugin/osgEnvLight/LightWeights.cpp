@@ -135,7 +135,7 @@ class Channel
     std::vector<double> _w;
 };
 
-} // namespace
+}  // namespace
 
 void matchHarmonics(LightList& lights, const RadianceMap& map)
 {
@@ -159,4 +159,4 @@ void matchHarmonics(LightList& lights, const RadianceMap& map)
     }
 }
 
-} // namespace osgEnvLight
+}  // namespace osgEnvLight

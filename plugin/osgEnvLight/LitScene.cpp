@@ -13,7 +13,7 @@ LitScene::LitScene() : LitScene(static_cast<osg::Image*>(nullptr)) {}
 LitScene::LitScene(osg::Image* image)
     : _map(new EnvironmentMap(image)), _settings(new Settings), _technique(new DeferredTechnique)
 {
-    setCullingActive(false); // the background shows where the bound does not
+    setCullingActive(false);  // the background shows where the bound does not
     setNumChildrenRequiringEventTraversal(getNumChildrenRequiringEventTraversal() + 1);
 }
 
@@ -94,4 +94,4 @@ void LitScene::releaseGLObjects(osg::State* state) const
     _technique->releaseGLObjects(state);
 }
 
-} // namespace osgEnvLight
+}  // namespace osgEnvLight

@@ -16,7 +16,7 @@ namespace
 {
 
 const double largestHalf = 65504.0;
-const unsigned smallestLevel = 4; // side of the pyramid's last level
+const unsigned smallestLevel = 4;  // side of the pyramid's last level
 
 // A level of the pyramid while it is made: texels and their solid angles.
 struct Level {
@@ -40,7 +40,8 @@ osg::Vec3d mapBilinear(const RadianceMap& map, const glsl::vec2& uv)
         const float* t = map.texel((i + map.width) % map.width, std::min(j, map.height - 1));
         return osg::Vec3d(t[0], t[1], t[2]);
     };
-    return (texel(x0, y0) * (1 - a) + texel(x0 + 1, y0) * a) * (1 - b) + (texel(x0, y0 + 1) * (1 - a) + texel(x0 + 1, y0 + 1) * a) * b;
+    return (texel(x0, y0) * (1 - a) + texel(x0 + 1, y0) * a) * (1 - b) +
+           (texel(x0, y0 + 1) * (1 - a) + texel(x0 + 1, y0 + 1) * a) * b;
 }
 
 // The map's coordinates over one texel of the pyramid: exact at its corners and linear between them, which spares an arc
@@ -69,10 +70,7 @@ class TexelCoordinates
     glsl::vec2 square(double s, double t) const { return glsl::vec2((_x + s) / _side, (_y + t) / _side); }
 
   private:
-    glsl::vec2 exact(double s, double t) const
-    {
-        return glsl::latlongFromDirection(glsl::directionFromOctahedral(square(s, t)));
-    }
+    glsl::vec2 exact(double s, double t) const { return glsl::latlongFromDirection(glsl::directionFromOctahedral(square(s, t))); }
 
     // The mapping has a kink where a face of the octahedron ends: on the axes and on the equator's diamond.
     bool onOneFace() const
@@ -159,7 +157,7 @@ unsigned sideFor(int width)
     return side;
 }
 
-} // namespace
+}  // namespace
 
 MapTextures::MapTextures(const RadianceMap* map)
     : _map(map), _scale(map->mean > 0.0 ? 1.0 / map->mean : 0.0), _side(sideFor(map->width))
@@ -288,10 +286,11 @@ size_t MapTextures::bytes() const
 {
     size_t sum = 0;
     for (const osg::Texture2D* t : {_latlong.get(), _pyramid.get()})
-        if (t) sum += size_t(t->getImage()->s()) * size_t(t->getImage()->t()) * (t->getInternalFormat() == GL_RGB16F_ARB ? 6 : 12);
+        if (t)
+            sum += size_t(t->getImage()->s()) * size_t(t->getImage()->t()) * (t->getInternalFormat() == GL_RGB16F_ARB ? 6 : 12);
     for (const osg::Texture2D* t : {_diffuseLights.get(), _occlusionLights.get()})
         if (t) sum += t->getImage()->getTotalSizeInBytes();
     return sum;
 }
 
-} // namespace osgEnvLight
+}  // namespace osgEnvLight

@@ -18,7 +18,7 @@ void setUniform(osg::StateSet& stateSet, const char* name, const T& value)
     stateSet.addUniform(new osg::Uniform(name, value));
 }
 
-} // namespace
+}  // namespace
 
 void Material::setLambert(osg::StateSet& stateSet, const osg::Vec3f& diffuse)
 {
@@ -49,4 +49,4 @@ int Material::brdfOf(const osg::StateSet& stateSet, int inherited)
     return uniform && uniform->get(brdf) && brdf >= LAMBERT && brdf <= COOK_TORRANCE ? brdf : inherited;
 }
 
-} // namespace osgEnvLight
+}  // namespace osgEnvLight

@@ -47,7 +47,7 @@ class Uploader
     const osg::GLExtensions& _ext;
 };
 
-} // namespace
+}  // namespace
 
 FullScreen::FullScreen(const std::string& name, GpuTimer* timer) : _timer(timer)
 {
@@ -67,7 +67,7 @@ void FullScreen::drawImplementation(osg::RenderInfo& renderInfo) const
 {
     osg::State& state = *renderInfo.getState();
     const osg::Program::PerContextProgram* program = state.getLastAppliedProgramObject();
-    if (!program) return; // it has reported why
+    if (!program) return;  // it has reported why
     const Uploader upload(*program, *state.get<osg::GLExtensions>());
     const osg::Matrixd projection(state.getProjectionMatrix());
     const osg::Matrixd eyeToWorld = osg::Matrixd::inverse(state.getInitialViewMatrix());
@@ -85,7 +85,7 @@ void FullScreen::drawImplementation(osg::RenderInfo& renderInfo) const
 void prepareStage(osgUtil::RenderStage& stage, osgUtil::RenderStage& host, osg::Camera& camera, osg::Viewport& viewport,
                   GLbitfield clearMask)
 {
-    stage.setPositionalStateContainer(nullptr); // reset() would empty it, and below it may be the host's
+    stage.setPositionalStateContainer(nullptr);  // reset() would empty it, and below it may be the host's
     stage.reset();
     stage.setCamera(&camera);
     stage.setViewport(&viewport);
@@ -117,7 +117,7 @@ void Pass::add(osgUtil::RenderStage& host, osg::Camera& camera, osg::Viewport& v
         _leaf->set(_triangle.get(), projection, modelView);
     _stage->addStateGraph(graph);
     graph->addLeaf(_leaf.get());
-    host.addPreRenderStage(_stage.get(), 0); // equal numbers keep the order of insertion
+    host.addPreRenderStage(_stage.get(), 0);  // equal numbers keep the order of insertion
 }
 
-} // namespace osgEnvLight
+}  // namespace osgEnvLight

@@ -48,9 +48,10 @@ std::string describe(const Plan& plan, const DiffuseCarrier& carrier)
            percent(carrier.lightsError) + ")";
 }
 
-} // namespace
+}  // namespace
 
-Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack, double sceneRadius, const DiffuseCarrier& carrier)
+Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack, double sceneRadius,
+                const DiffuseCarrier& carrier)
 {
     Plan plan;
     plan.surfaces = surfaces;
@@ -96,4 +97,4 @@ std::string Plan::explain() const
     return out.str();
 }
 
-} // namespace osgEnvLight
+}  // namespace osgEnvLight

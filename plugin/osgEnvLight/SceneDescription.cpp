@@ -159,7 +159,7 @@ std::string settingText(const Value& v)
 {
     if (v.get().is_boolean()) return v.boolean() ? "on" : "off";
     if (v.get().is_string()) return v.string();
-    if (v.get().is_number()) return v.get().dump(); // JSON's numbers do not depend on the locale
+    if (v.get().is_number()) return v.get().dump();  // JSON's numbers do not depend on the locale
     v.fail("a number, a string or true or false");
 }
 
@@ -193,11 +193,13 @@ json parse(std::istream& in, const std::string& name)
 {
     try {
         return json::parse(in);
-    } catch (const json::exception& e) { // a fault of syntax, or a number beyond a double
+    } catch (const json::exception& e) {  // a fault of syntax, or a number beyond a double
         const std::string what = e.what();
         const size_t at = what.find("at line");
         const size_t words = what.find("] ");
-        const std::string detail = at != std::string::npos ? " " + what.substr(at) : words != std::string::npos ? ": " + what.substr(words + 2) : "";
+        const std::string detail = at != std::string::npos      ? " " + what.substr(at)
+                                   : words != std::string::npos ? ": " + what.substr(words + 2)
+                                                                : "";
         throw std::runtime_error(name + ": not valid JSON" + detail);
     }
 }
@@ -267,7 +269,8 @@ void checkMaterials(const MaterialVisitor& visitor, const std::string& file)
     if (missing.empty()) return;
     std::string list;
     for (const std::string& n : visitor.names) list += " '" + n + "'";
-    throw std::runtime_error(file + ": key 'materials." + missing + "': no material or node of the models has that name; materials are" +
+    throw std::runtime_error(file + ": key 'materials." + missing +
+                             "': no material or node of the models has that name; materials are" +
                              (list.empty() ? std::string(" none") : list));
 }
 
@@ -278,7 +281,7 @@ HomeView cameraOf(const json& j, const std::string& name)
     return readView(j.is_object() && v.has("camera") ? v["camera"] : v);
 }
 
-} // namespace
+}  // namespace
 
 bool readCamera(std::istream& in, const std::string& name, HomeView& result, std::string& error)
 try {
@@ -348,4 +351,4 @@ try {
     return nullptr;
 }
 
-} // namespace osgEnvLight
+}  // namespace osgEnvLight

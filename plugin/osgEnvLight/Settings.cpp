@@ -39,8 +39,7 @@ std::string rangeError(const Settings::Property& p, const std::string& found)
 // The value that text stands for, or NaN.
 double parse(const Settings::Property& p, const std::string& text)
 {
-    if (std::holds_alternative<bool Settings::*>(p.member))
-        return text == "on" ? 1.0 : text == "off" ? 0.0 : std::nan("");
+    if (std::holds_alternative<bool Settings::*>(p.member)) return text == "on" ? 1.0 : text == "off" ? 0.0 : std::nan("");
     for (size_t i = 0; i < p.choices.size(); ++i)
         if (text == p.choices[i]) return double(i);
     double value = 0.0;
@@ -54,8 +53,7 @@ Settings::Property onOff(const char* name, bool Settings::*member, const char* d
     return {name, member, 0, 1, "", description, {}};
 }
 
-Settings::Property number(const char* name, int Settings::*member, int low, int high, const char* unit,
-                          const char* description)
+Settings::Property number(const char* name, int Settings::*member, int low, int high, const char* unit, const char* description)
 {
     return {name, member, double(low), double(high), unit, description, {}};
 }
@@ -66,13 +64,12 @@ Settings::Property real(const char* name, float Settings::*member, double low, d
     return {name, member, low, high, unit, description, {}};
 }
 
-Settings::Property choice(const char* name, int Settings::*member, std::vector<const char*> choices,
-                          const char* description)
+Settings::Property choice(const char* name, int Settings::*member, std::vector<const char*> choices, const char* description)
 {
     return {name, member, 0, double(choices.size() - 1), "", description, choices};
 }
 
-} // namespace
+}  // namespace
 
 Settings::Settings(const Settings& other, const osg::CopyOp& copyop) : osg::Object(other, copyop)
 {
@@ -92,11 +89,13 @@ const std::vector<Settings::Property>& Settings::table()
         number("specularSamples", &S::specularSamples, 1, 1024, "samples per pixel", "directions sampled from the BRDF for S"),
         number("occlusionLights", &S::occlusionLights, 16, 65536, "lights",
                "lights whose visibility O tests, a sixteenth of them in each pixel; rounded up to a multiple of 16"),
-        number("occlusionSteps", &S::occlusionSteps, 1, 256, "points per ray", "points at which a ray is compared with the depth buffer"),
+        number("occlusionSteps", &S::occlusionSteps, 1, 256, "points per ray",
+               "points at which a ray is compared with the depth buffer"),
         real("occlusionRadius", &S::occlusionRadius, 0, 100, "radii of the scene", "length of the rays; 0 switches O off"),
         real("occlusionThickness", &S::occlusionThickness, 0, 1000, "ray lengths",
              "how deep a surface seen in the depth buffer is taken to be"),
-        number("filterCells", &S::filterCells, 1, 8, "cells of 4 pixels", "width of the filter that averages the groups of lights"),
+        number("filterCells", &S::filterCells, 1, 8, "cells of 4 pixels",
+               "width of the filter that averages the groups of lights"),
         choice("combine", &S::combine, {"ratio", "subtract"},
                "D - O as D times the filtered visibility, or as the printed subtraction of two light lists"),
         choice("background", &S::background, {"off", "on", "blur"}, "the map behind the scene"),
@@ -188,4 +187,4 @@ bool Settings::valid(std::string& error) const
     return true;
 }
 
-} // namespace osgEnvLight
+}  // namespace osgEnvLight

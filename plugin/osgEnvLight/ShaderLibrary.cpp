@@ -66,7 +66,7 @@ class ReportingProgram : public osg::Program
     ShaderText _texts[2];
 };
 
-} // namespace
+}  // namespace
 
 void ShaderText::append(const std::string& line, const std::string& file, unsigned number)
 {
@@ -179,4 +179,4 @@ void ShaderLibrary::reload()
     _programs.clear();
 }
 
-} // namespace osgEnvLight
+}  // namespace osgEnvLight

@@ -68,7 +68,7 @@ std::array<osg::Vec3d, 18> project(const RadianceMap& map)
     return result;
 }
 
-} // namespace
+}  // namespace
 
 int harmonicBand(int i)
 {
@@ -86,4 +86,4 @@ const std::array<osg::Vec3d, 18>& RadianceMap::harmonics() const
     return _harmonics;
 }
 
-} // namespace osgEnvLight
+}  // namespace osgEnvLight

@@ -63,8 +63,8 @@ struct EffectiveState {
     Attribute texEnv;
     Attribute texGenMode;
     Attribute depth;
-    bool ownProgram = false; // below the G-buffer's state set
-    int brdf = -1;           // of our Material, -1 when there is none
+    bool ownProgram = false;  // below the G-buffer's state set
+    int brdf = -1;            // of our Material, -1 when there is none
 
     void merge(const osg::StateSet& s)
     {
@@ -126,7 +126,7 @@ bool lacksNormals(const osgUtil::RenderLeaf& leaf)
     return geometry && !geometry->getNormalArray();
 }
 
-} // namespace
+}  // namespace
 
 // One sort: the states met so far, and where things go.
 class SurfaceSort
@@ -167,7 +167,7 @@ class SurfaceSort
         EffectiveState state;
         if (sg->_parent) state = effective(sg->_parent);
         if (sg == &_top)
-            state.ownProgram = false; // a program above us does not matter, and neither does our blending off
+            state.ownProgram = false;  // a program above us does not matter, and neither does our blending off
         else if (sg->getStateSet())
             state.merge(*sg->getStateSet());
         return _states.emplace(sg, state).first->second;
@@ -244,8 +244,8 @@ class SurfaceSort
 
 const osg::StateSet* SurfaceSorter::variant(unsigned bits)
 {
-    static const char* const defines[] = {"NO_TEXTURE",   "LINEAR_TEXTURE", "TEXTURE_REPLACE", "UNLIT",
-                                          "VERTEX_COLOR", "FACE_NORMAL",    "PHONG_MATERIAL",  "ENVLIGHT_LAMBERT",
+    static const char* const defines[] = {"NO_TEXTURE",     "LINEAR_TEXTURE",        "TEXTURE_REPLACE", "UNLIT",
+                                          "VERTEX_COLOR",   "FACE_NORMAL",           "PHONG_MATERIAL",  "ENVLIGHT_LAMBERT",
                                           "ENVLIGHT_PHONG", "ENVLIGHT_COOK_TORRANCE"};
     std::lock_guard<std::mutex> lock(_mutex);
     osg::ref_ptr<osg::StateSet>& stateSet = _variants[bits];
@@ -265,4 +265,4 @@ SurfaceKinds SurfaceSorter::sort(osgUtil::RenderBin& gbuffer, osgUtil::RenderBin
     return sort.kinds;
 }
 
-} // namespace osgEnvLight
+}  // namespace osgEnvLight

@@ -83,7 +83,7 @@ Target& ViewData::target(const std::string& pass, const std::vector<GLint>& form
     osg::ref_ptr<Target>& target = _targets[pass];
     if (!target) {
         target = new Target(_width, _height, formats, _failure.get());
-        _states.clear(); // those that read the pass's former target
+        _states.clear();  // those that read the pass's former target
     }
     return *target;
 }
@@ -149,4 +149,4 @@ size_t ViewData::bytes() const
     return sum;
 }
 
-} // namespace osgEnvLight
+}  // namespace osgEnvLight

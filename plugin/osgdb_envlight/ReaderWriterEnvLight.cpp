@@ -12,7 +12,7 @@ namespace
 {
 
 /** `scene.envlight`, a scene description; or `model.osgt.envlight` and `model.osgt.(studio.exr).envlight`, any model under
-  * the sky or under the map in brackets.*/
+ * the sky or under the map in brackets.*/
 class ReaderWriterEnvLight : public osgDB::ReaderWriter
 {
   public:
@@ -85,6 +85,6 @@ class ReaderWriterEnvLight : public osgDB::ReaderWriter
     }
 };
 
-} // namespace
+}  // namespace
 
 REGISTER_OSGPLUGIN(envlight, ReaderWriterEnvLight)

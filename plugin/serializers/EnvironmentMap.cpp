@@ -50,12 +50,13 @@ bool readImage(osgDB::InputStream& is, EnvironmentMap& map)
     return true;
 }
 
-} // namespace
+}  // namespace
 
 REGISTER_OBJECT_WRAPPER(osgEnvLight_EnvironmentMap, new osgEnvLight::EnvironmentMap, osgEnvLight::EnvironmentMap,
                         "osg::Object osgEnvLight::EnvironmentMap")
 {
-    wrapper->addSerializer(new osgDB::UserSerializer<MyClass>("Map", checkMap, readMap, writeMap), osgDB::BaseSerializer::RW_USER);
+    wrapper->addSerializer(new osgDB::UserSerializer<MyClass>("Map", checkMap, readMap, writeMap),
+                           osgDB::BaseSerializer::RW_USER);
     wrapper->addSerializer(new osgDB::UserSerializer<MyClass>("Image", checkImage, readImage, writeImage),
                            osgDB::BaseSerializer::RW_USER);
     ADD_DOUBLE_SERIALIZER(Rotation, 0.0);

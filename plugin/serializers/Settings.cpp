@@ -12,7 +12,7 @@ namespace
 using osgEnvLight::Settings;
 
 /** One property of the table, by its name and as its text: so a file does not depend on the order or type of members.
-  * Written only where it differs from the default.*/
+ * Written only where it differs from the default.*/
 class PropertySerializer : public osgDB::BaseSerializer
 {
   public:
@@ -34,9 +34,8 @@ class PropertySerializer : public osgDB::BaseSerializer
     {
         Settings& s = static_cast<Settings&>(object);
         std::string error;
-        return std::visit(
-            [&](auto m) { return s.set(_name, double(*static_cast<std::decay_t<decltype(s.*m)>*>(value)), error); },
-            _property.member);
+        return std::visit([&](auto m) { return s.set(_name, double(*static_cast<std::decay_t<decltype(s.*m)>*>(value)), error); },
+                          _property.member);
     }
 
     bool read(osgDB::InputStream& is, osg::Object& object) override
@@ -81,10 +80,11 @@ osgDB::BaseSerializer::Type typeOf(const Settings::Property& p)
     return std::holds_alternative<int Settings::*>(p.member) ? osgDB::BaseSerializer::RW_INT : osgDB::BaseSerializer::RW_FLOAT;
 }
 
-} // namespace
+}  // namespace
 
 // The macro takes the name of the class from its third argument, so that must be qualified.
-REGISTER_OBJECT_WRAPPER(osgEnvLight_Settings, new osgEnvLight::Settings, osgEnvLight::Settings, "osg::Object osgEnvLight::Settings")
+REGISTER_OBJECT_WRAPPER(osgEnvLight_Settings, new osgEnvLight::Settings, osgEnvLight::Settings,
+                        "osg::Object osgEnvLight::Settings")
 {
     for (const Settings::Property& p : Settings::table()) wrapper->addSerializer(new PropertySerializer(p), typeOf(p));
 }

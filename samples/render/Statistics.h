@@ -13,7 +13,7 @@ struct Statistics {
     int width = 0;
     int height = 0;
     int frames = 0;
-    double firstFrame = 0.0; // milliseconds
+    double firstFrame = 0.0;  // milliseconds
     double lastFrame = 0.0;
 
     /** False and a message naming the file if it can't be written. */

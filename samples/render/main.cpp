@@ -42,7 +42,7 @@ struct Arguments {
     std::string size = "512x512";
     std::vector<std::string> settings;
     std::string term;
-    int frames = 2; // the second has all textures and shaders
+    int frames = 2;  // the second has all textures and shaders
     std::string statistics;
     int width = 0;
     int height = 0;
@@ -54,7 +54,8 @@ void parseSize(Arguments& a)
     std::string rest;
     std::istringstream in(a.size);
     in.imbue(std::locale::classic());
-    if (!(in >> a.width >> x >> a.height) || x != 'x' || (in >> rest) || a.width < 1 || a.height < 1 || a.width > 16384 || a.height > 16384)
+    if (!(in >> a.width >> x >> a.height) || x != 'x' || (in >> rest) || a.width < 1 || a.height < 1 || a.width > 16384 ||
+        a.height > 16384)
         throw BadArguments("--size is '" + a.size + "', expected WIDTHxHEIGHT, each 1..16384");
 }
 
@@ -69,7 +70,8 @@ osg::ref_ptr<osgEnvLight::LitScene> loadScene(const std::string& name)
     osgDB::ReaderWriter::ReadResult result = osgDB::Registry::instance()->readNode(pseudo, nullptr);
     osg::ref_ptr<osgEnvLight::LitScene> lit = dynamic_cast<osgEnvLight::LitScene*>(result.getNode());
     if (lit) return lit;
-    throw std::runtime_error(result.message().empty() ? name + ": the plugin osgdb_envlight is not found on OSG_LIBRARY_PATH" : result.message());
+    throw std::runtime_error(result.message().empty() ? name + ": the plugin osgdb_envlight is not found on OSG_LIBRARY_PATH"
+                                                      : result.message());
 }
 
 void applyOptions(const Arguments& a, osgEnvLight::LitScene& lit)
@@ -154,7 +156,7 @@ osg::ref_ptr<osg::Image> render(const Arguments& a, osgEnvLight::LitScene& lit, 
     viewer.realize();
     for (int i = 0; i < a.frames; ++i) {
         const auto start = std::chrono::steady_clock::now();
-        viewer.frame(i / 30.0); // the scene's own time, not the clock's
+        viewer.frame(i / 30.0);  // the scene's own time, not the clock's
         glFinish();
         const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
         (i == 0 ? statistics.firstFrame : statistics.lastFrame) = ms;
@@ -183,7 +185,8 @@ void writeImage(osg::Image& image, const std::string& name)
     const osg::ref_ptr<osg::Image> out = linear ? osg::ref_ptr<osg::Image>(&image) : to8Bit(image);
     osgDB::ReaderWriter::WriteResult result = osgDB::Registry::instance()->writeImage(*out, name, nullptr);
     if (!result.success())
-        throw std::runtime_error(name + ": can't be written: " + (result.message().empty() ? "no plugin, or no such folder" : result.message()));
+        throw std::runtime_error(
+            name + ": can't be written: " + (result.message().empty() ? "no plugin, or no such folder" : result.message()));
 }
 
 void addOptions(CLI::App& app, Arguments& a)
@@ -197,8 +200,10 @@ void addOptions(CLI::App& app, Arguments& a)
     app.add_option("--up", a.up, "x,y,z")->delimiter(',')->expected(3);
     app.add_option("--fovy", a.fovy, "vertical opening angle, degrees")->check(CLI::Range(0.01, 179.0));
     app.add_option("--size", a.size, "WIDTHxHEIGHT, default 512x512");
-    app.add_option("--set", a.settings, "name=value of a property of Settings (switches take on | off); repeatable")->allow_extra_args(false);
-    app.add_option("--term", a.term, "an intermediate instead of the picture: diffuse, specular, occlusion, albedo, normal, depth ...");
+    app.add_option("--set", a.settings, "name=value of a property of Settings (switches take on | off); repeatable")
+        ->allow_extra_args(false);
+    app.add_option("--term", a.term,
+                   "an intermediate instead of the picture: diffuse, specular, occlusion, albedo, normal, depth ...");
     app.add_option("--frames", a.frames, "frames to draw, the last is written; default 2")->check(CLI::Range(1, 1000000));
     app.add_option("--stats", a.statistics, "JSON file for plan and times");
     app.add_option("-o,--output", a.output, "OUT.exr (linear radiance) or OUT.png (exposed and tone mapped)")->required();
@@ -209,7 +214,8 @@ int run(Arguments& a)
     parseSize(a);
     addPluginPath();
     const std::string extension = osgDB::getLowerCaseFileExtension(a.output);
-    if (extension != "exr" && extension != "png") throw BadArguments("-o is '" + a.output + "', expected a name ending in .exr or .png");
+    if (extension != "exr" && extension != "png")
+        throw BadArguments("-o is '" + a.output + "', expected a name ending in .exr or .png");
     osg::ref_ptr<osgEnvLight::LitScene> lit = loadScene(a.scene);
     applyOptions(a, *lit);
     const HeadlessContext context;
@@ -220,7 +226,7 @@ int run(Arguments& a)
     return 0;
 }
 
-} // namespace
+}  // namespace
 
 int main(int argc, char** argv)
 {

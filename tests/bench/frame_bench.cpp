@@ -36,7 +36,7 @@ osg::ref_ptr<osg::Group> makeModel(int triangles)
 
 double least(std::vector<double> v)
 {
-    return *std::min_element(v.begin() + 3, v.end()); // the first frames compile and upload
+    return *std::min_element(v.begin() + 3, v.end());  // the first frames compile and upload
 }
 
 void setUp(SceneRenderer& renderer)
@@ -78,7 +78,7 @@ void emptyFrame(benchmark::State& state)
     }
 }
 
-} // namespace
+}  // namespace
 
 BENCHMARK(emptyFrame)->UseManualTime()->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(frame)->Arg(10000)->Arg(100000)->Arg(1000000)->UseManualTime()->Iterations(1)->Unit(benchmark::kMillisecond);

@@ -102,7 +102,18 @@ void lights(benchmark::State& state)
     }
 }
 
-} // namespace
+}  // namespace
 
 BENCHMARK(steps)->RangeMultiplier(2)->Range(1, 64)->UseManualTime()->Iterations(1)->Unit(benchmark::kMillisecond);
-BENCHMARK(lights)->Arg(100)->Arg(200)->Arg(256)->Arg(400)->Arg(512)->Arg(1000)->Arg(1024)->Arg(2048)->UseManualTime()->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(lights)
+    ->Arg(100)
+    ->Arg(200)
+    ->Arg(256)
+    ->Arg(400)
+    ->Arg(512)
+    ->Arg(1000)
+    ->Arg(1024)
+    ->Arg(2048)
+    ->UseManualTime()
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);

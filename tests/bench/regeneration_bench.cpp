@@ -16,7 +16,8 @@ namespace
 osg::ref_ptr<osg::Image> makeSource(int width)
 {
     return makeMap(width, width / 2, [](const osg::Vec3d& d) {
-        const double l = 0.2 + std::pow(std::max(d * osg::Vec3d(0.6, 0.0, 0.8), 0.0), 50.0) * 100.0 + 0.1 * std::sin(20.0 * d.x()) * std::sin(17.0 * d.y());
+        const double l = 0.2 + std::pow(std::max(d * osg::Vec3d(0.6, 0.0, 0.8), 0.0), 50.0) * 100.0 +
+                         0.1 * std::sin(20.0 * d.x()) * std::sin(17.0 * d.y());
         return osg::Vec3d(l, 0.9 * l, 0.7 * l);
     });
 }
@@ -90,7 +91,7 @@ void everything(benchmark::State& state)
     state.counters["texture_MB"] = double(bytes) / 1048576.0;
 }
 
-} // namespace
+}  // namespace
 
 BENCHMARK(sanitise)->Arg(1024)->Arg(4096)->Unit(benchmark::kMillisecond);
 BENCHMARK(harmonics)->Arg(1024)->Arg(4096)->Unit(benchmark::kMillisecond);

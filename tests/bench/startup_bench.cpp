@@ -17,7 +17,8 @@ double secondsToPicture(const std::string& file)
     const VirtualDisplay display(800, 600);
     const TemporaryFolder folder;
     const auto start = std::chrono::steady_clock::now();
-    const BackgroundProgram viewer({"osgviewer", "--window", "0", "0", "512", "512", file}, folder.file("log"), {"DISPLAY=" + display.name()});
+    const BackgroundProgram viewer({"osgviewer", "--window", "0", "0", "512", "512", file}, folder.file("log"),
+                                   {"DISPLAY=" + display.name()});
     for (int i = 0; i < 6000; ++i) {
         const Screen s = display.read(512, 512);
         for (size_t k = 3; k < s.rgb.size(); ++k)
@@ -32,6 +33,6 @@ void startup(benchmark::State& state)
     for (auto _ : state) state.SetIterationTime(secondsToPicture(std::string(model) + (state.range(0) ? ".envlight" : "")));
 }
 
-} // namespace
+}  // namespace
 
 BENCHMARK(startup)->Arg(0)->Arg(1)->UseManualTime()->Iterations(3)->Unit(benchmark::kMillisecond);

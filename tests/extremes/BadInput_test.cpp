@@ -31,7 +31,7 @@ size_t messages(const std::string& text)
     return n;
 }
 
-} // namespace
+}  // namespace
 
 class BadInput : public testing::Test
 {
@@ -66,7 +66,7 @@ TEST_F(BadInput, Maps)
     std::filesystem::create_directory(folder.file("folder.exr"));
     struct Case {
         std::string file;
-        std::string content; // "" = leave as it is
+        std::string content;  // "" = leave as it is
         std::vector<std::string> words;
     };
     const Case cases[] = {
@@ -115,7 +115,8 @@ TEST_F(BadInput, SceneDescriptions)
         {start + ", \"settings\": {\"combine\": \"multiply\"}}", {"combine", "ratio | subtract"}},
         {start + ", \"materials\": {\"gold\": {\"brdf\": \"shiny\"}}}", {"'materials.gold'", "cook-torrance"}},
         {start + ", \"materials\": {\"gold\": {\"brdf\": \"lambert\", \"roughness\": 1}}}", {"'materials.gold.roughness'"}},
-        {start + ", \"materials\": {\"gold\": {\"brdf\": \"lambert\", \"diffuse\": [1, 2, 3]}}}", {"'materials.gold.diffuse'", "0..1"}},
+        {start + ", \"materials\": {\"gold\": {\"brdf\": \"lambert\", \"diffuse\": [1, 2, 3]}}}",
+         {"'materials.gold.diffuse'", "0..1"}},
         {start + ", \"materials\": {\"gold\": {\"brdf\": \"lambert\"}}}", {"gold", "no material"}},
         {start + ", \"lights\": [{}]}", {"'lights'"}},
     };
@@ -161,7 +162,9 @@ TEST_F(BadInput, GoodInputInAwkwardPlaces)
                  "{\"model\": \"modell.obj\", \"environment\": {\"map\": \"karte.hdr\", \"rotation\": 1.5}}");
     picture = folder.file("mit Leerzeichen äöü 日本/bild.png");
     for (const char* locale : {"LC_ALL=C", "LC_ALL=de_DE.UTF-8"}) {
-        const Outcome o = run({folder.file("mit Leerzeichen äöü 日本/szene.envlight"), "--env-rotation", "12.5", "--set", "exposure=0.5"}, {locale});
+        const Outcome o =
+            run({folder.file("mit Leerzeichen äöü 日本/szene.envlight"), "--env-rotation", "12.5", "--set", "exposure=0.5"},
+                {locale});
         EXPECT_EQ(0, o.status) << o.err;
         EXPECT_TRUE(std::filesystem::exists(picture));
         std::filesystem::remove(picture);

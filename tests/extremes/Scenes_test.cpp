@@ -24,7 +24,8 @@ osg::ref_ptr<osg::Group> makeModel()
     group->addChild(makeSphere(osg::Vec3d(-0.8, 0, 0), 0.7, 64));
     group->addChild(makeSphere(osg::Vec3d(0.8, 0, 0), 0.7, 64));
     Material::setLambert(*group->getChild(0)->getOrCreateStateSet(), osg::Vec3f(0.5f, 0.5f, 0.5f));
-    Material::setPhong(*group->getChild(1)->getOrCreateStateSet(), osg::Vec3f(0.4f, 0.2f, 0.2f), osg::Vec3f(0.4f, 0.4f, 0.4f), 80.0f);
+    Material::setPhong(*group->getChild(1)->getOrCreateStateSet(), osg::Vec3f(0.4f, 0.2f, 0.2f), osg::Vec3f(0.4f, 0.4f, 0.4f),
+                       80.0f);
     Material::setCookTorrance(*group->getChild(2)->getOrCreateStateSet(), osg::Vec3f(0.9f, 0.7f, 0.3f), 1.0f, 0.3f);
     return group;
 }
@@ -41,7 +42,8 @@ osg::ref_ptr<osg::Image> skyMap()
 Picture renderMoved(SceneRenderer& renderer, double scale, const osg::Vec3d& offset)
 {
     osg::ref_ptr<LitScene> lit = makeLit(skyMap().get());
-    osg::ref_ptr<osg::MatrixTransform> transform = new osg::MatrixTransform(osg::Matrixd::scale(scale, scale, scale) * osg::Matrixd::translate(offset));
+    osg::ref_ptr<osg::MatrixTransform> transform =
+        new osg::MatrixTransform(osg::Matrixd::scale(scale, scale, scale) * osg::Matrixd::translate(offset));
     transform->addChild(makeModel());
     lit->addChild(transform);
     renderer.viewer().getCamera()->setProjectionMatrixAsPerspective(40, 1, 0.1 * scale, 100 * scale);
@@ -49,9 +51,9 @@ Picture renderMoved(SceneRenderer& renderer, double scale, const osg::Vec3d& off
     return renderer.render(lit, 2);
 }
 
-} // namespace
+}  // namespace
 
-TEST(Scenes, ScaleAndPlaceDoNotMatter) // systems.md extremes 95, 96
+TEST(Scenes, ScaleAndPlaceDoNotMatter)  // systems.md extremes 95, 96
 {
     SceneRenderer renderer(64, 64);
     const Picture expected = renderMoved(renderer, 1.0, osg::Vec3d());
@@ -59,22 +61,23 @@ TEST(Scenes, ScaleAndPlaceDoNotMatter) // systems.md extremes 95, 96
     for (double scale : {1e-6, 1e-3, 1e3, 1e6})
         EXPECT_LT(rootMeanSquare(expected, renderMoved(renderer, scale, osg::Vec3d())), 2e-3) << "scale " << scale;
     for (double offset : {1e4, 1e6})
-        EXPECT_LT(rootMeanSquare(expected, renderMoved(renderer, 1.0, osg::Vec3d(offset, -offset, offset))), 2e-3) << "offset " << offset;
+        EXPECT_LT(rootMeanSquare(expected, renderMoved(renderer, 1.0, osg::Vec3d(offset, -offset, offset))), 2e-3)
+            << "offset " << offset;
 }
 
-TEST(Scenes, BlackMapShowsEmissionOnly) // 1
+TEST(Scenes, BlackMapShowsEmissionOnly)  // 1
 {
     SceneRenderer renderer(32, 32);
     osg::ref_ptr<LitScene> lit = makeLit(constantMap(0.0).get());
     lit->addChild(makeModel());
     const Picture p = renderer.render(lit, 2);
-    for (float f : p.rgba) EXPECT_TRUE(f == 0.0f || f == 1.0f); // alpha
+    for (float f : p.rgba) EXPECT_TRUE(f == 0.0f || f == 1.0f);  // alpha
     const osgEnvLight::Plan plan = lit->plan();
     EXPECT_FALSE(plan.diffuse || plan.specular || plan.occlusion);
     EXPECT_NE(std::string::npos, plan.explain().find("the map is black"));
 }
 
-TEST(Scenes, TinyAndStrangeMapsAreLegal) // 3, 4, 6, 7, 8
+TEST(Scenes, TinyAndStrangeMapsAreLegal)  // 3, 4, 6, 7, 8
 {
     SceneRenderer renderer(32, 32);
     NotifyCatcher notify;
@@ -92,7 +95,7 @@ TEST(Scenes, TinyAndStrangeMapsAreLegal) // 3, 4, 6, 7, 8
     EXPECT_EQ(std::string::npos, notify.text().find("OpenGL"));
 }
 
-TEST(Scenes, OneTexelOf21StopsKeepsItsFlux) // 4
+TEST(Scenes, OneTexelOf21StopsKeepsItsFlux)  // 4
 {
     SceneRenderer renderer(33, 33);
     osg::ref_ptr<osg::Image> map = constantMap(0.0);
@@ -109,10 +112,10 @@ TEST(Scenes, OneTexelOf21StopsKeepsItsFlux) // 4
     Material::setLambert(*plate->getOrCreateStateSet(), osg::Vec3f(1, 1, 1));
     lit->addChild(plate);
     renderer.lookAt(osg::Vec3d(4, 0, 0), osg::Vec3d());
-    EXPECT_NEAR(renderer.render(lit, 2).color(16, 16)[0] / (flux * d.x() / osg::PI), 1.0, 0.01); // the texel is 5.6 degrees wide
+    EXPECT_NEAR(renderer.render(lit, 2).color(16, 16)[0] / (flux * d.x() / osg::PI), 1.0, 0.01);  // the texel is 5.6 degrees wide
 }
 
-TEST(Scenes, EmptySceneShowsTheMap) // 58, 98
+TEST(Scenes, EmptySceneShowsTheMap)  // 58, 98
 {
     SceneRenderer renderer(32, 32);
     osg::ref_ptr<LitScene> lit = makeLit(constantMap(2.0).get());
@@ -122,7 +125,7 @@ TEST(Scenes, EmptySceneShowsTheMap) // 58, 98
     EXPECT_FALSE(lit->plan().diffuse);
 }
 
-TEST(Scenes, OrthographicOffAxisAndInsideCamerasAreFiniteAndLit) // 56, 58
+TEST(Scenes, OrthographicOffAxisAndInsideCamerasAreFiniteAndLit)  // 56, 58
 {
     SceneRenderer renderer(48, 48);
     osg::ref_ptr<LitScene> lit = makeLit(constantMap(1.0).get());
@@ -132,18 +135,18 @@ TEST(Scenes, OrthographicOffAxisAndInsideCamerasAreFiniteAndLit) // 56, 58
     camera.setProjectionMatrixAsOrtho(-2, 2, -2, 2, 0.1, 20);
     for (int kind = 0; kind < 3; ++kind) {
         if (kind == 1) camera.setProjectionMatrixAsFrustum(-0.1, 0.3, -0.3, 0.1, 1, 20);
-        if (kind == 2) renderer.lookAt(osg::Vec3d(-0.8, 0, 0), osg::Vec3d(-0.8, 1, 0)); // inside a sphere
+        if (kind == 2) renderer.lookAt(osg::Vec3d(-0.8, 0, 0), osg::Vec3d(-0.8, 1, 0));  // inside a sphere
         const Picture p = renderer.render(lit, 2);
         EXPECT_TRUE(p.finite());
         for (int y = 0; y < p.height; ++y)
             for (int x = 0; x < p.width; ++x) {
                 EXPECT_GE(p.color(x, y)[0], 0.0);
-                EXPECT_LE(p.color(x, y)[0], 1.02); // the furnace bounds everything but the sampler's error
+                EXPECT_LE(p.color(x, y)[0], 1.02);  // the furnace bounds everything but the sampler's error
             }
     }
 }
 
-TEST(Scenes, HalfTheMapIsWhatTheCarriersAgreeOnAtAnyRotation) // 11, 13
+TEST(Scenes, HalfTheMapIsWhatTheCarriersAgreeOnAtAnyRotation)  // 11, 13
 {
     SceneRenderer renderer(33, 33);
     const auto map = makeMap(128, 64, [](const osg::Vec3d& d) { return d.x() > 0 ? osg::Vec3d(1, 1, 1) : osg::Vec3d(); });
@@ -154,11 +157,11 @@ TEST(Scenes, HalfTheMapIsWhatTheCarriersAgreeOnAtAnyRotation) // 11, 13
     renderer.lookAt(osg::Vec3d(0, 0, 4), osg::Vec3d(), osg::Vec3d(0, 1, 0));
     for (double degrees : {0.0, 90.0, 179.9, 180.0, 359.0, 36000.0, -45.0, 1e6}) {
         lit->getEnvironmentMap()->setRotation(degrees);
-        EXPECT_NEAR(renderer.render(lit, 1).color(16, 16)[0], 0.5, 0.005) << degrees; // by symmetry, half a furnace
+        EXPECT_NEAR(renderer.render(lit, 1).color(16, 16)[0], 0.5, 0.005) << degrees;  // by symmetry, half a furnace
     }
 }
 
-TEST(Scenes, NonFiniteCamerasAndIntensitiesDoNotCrash) // 102
+TEST(Scenes, NonFiniteCamerasAndIntensitiesDoNotCrash)  // 102
 {
     SceneRenderer renderer(16, 16);
     NotifyCatcher notify;
@@ -168,5 +171,5 @@ TEST(Scenes, NonFiniteCamerasAndIntensitiesDoNotCrash) // 102
     renderer.render(lit, 2);
     EXPECT_NE(std::string::npos, notify.text().find("intensity"));
     lit->getEnvironmentMap()->setIntensity(1.0);
-    EXPECT_NEAR(renderer.render(lit, 2).color(8, 12)[0], 1.0, 0.02); // back: the background or white metal
+    EXPECT_NEAR(renderer.render(lit, 2).color(8, 12)[0], 1.0, 0.02);  // back: the background or white metal
 }

@@ -28,7 +28,7 @@ double worstDeviation(const Picture& picture, double expected)
     return worst;
 }
 
-} // namespace
+}  // namespace
 
 TEST(Furnace, LambertShowsItsAlbedoFromAnyConstantMap)
 {

@@ -12,7 +12,7 @@ using osgEnvLight::Settings;
 namespace
 {
 
-const double skyTolerance = 0.01; // asked for; the list of 128 errs by .2 %, SH of bands 0, 1, 2, 4 by under 1 % of the maximum
+const double skyTolerance = 0.01;  // asked for; the list of 128 errs by .2 %, SH of bands 0, 1, 2, 4 by under 1 % of the maximum
 
 osg::ref_ptr<LitScene> diffuseOnly(osg::Image* map, int carrier)
 {
@@ -28,7 +28,7 @@ osg::Vec3d centre(const Picture& p)
     return p.color(p.width / 2, p.height / 2);
 }
 
-} // namespace
+}  // namespace
 
 TEST(Irradiance, GroundUnderPowersOfTheCosine)
 {
@@ -42,7 +42,7 @@ TEST(Irradiance, GroundUnderPowersOfTheCosine)
             });
             osg::ref_ptr<LitScene> lit = diffuseOnly(map.get(), carrier);
             lit->addChild(makeQuad(osg::Vec3d(-1, -1, 0), osg::Vec3d(2, 0, 0), osg::Vec3d(0, 2, 0)));
-            const double expected = 2.0 / (k + 2.0); // E / pi
+            const double expected = 2.0 / (k + 2.0);  // E / pi
             // cos^16 holds 1.2 % of its irradiance in bands 6 and above, which the 18 harmonics do not have
             const double tolerance = carrier == Settings::SH && k == 16 ? 0.013 : skyTolerance;
             EXPECT_NEAR(centre(renderer.render(lit))[0] / expected, 1.0, tolerance) << "k " << k << ", carrier " << carrier;
@@ -68,8 +68,8 @@ TEST(Irradiance, TiltedPlateAndSphereUnderHalfASky)
     renderer.viewer().getCamera()->setViewMatrixAsLookAt(osg::Vec3d(0, -4, 0), osg::Vec3d(), osg::Vec3d(0, 0, 1));
     const Picture picture = renderer.render(lit);
     for (int y = 4; y < 60; ++y) {
-        const double z = (y + 0.5) / 32.0 - 1.0; // the normal's z at the middle column, seen in parallel
-        EXPECT_NEAR(picture.color(32, y)[0], 0.5 * (1.0 + z), 0.015) << "z " << z; // .01, and a facet of 1/128 turn
+        const double z = (y + 0.5) / 32.0 - 1.0;  // the normal's z at the middle column, seen in parallel
+        EXPECT_NEAR(picture.color(32, y)[0], 0.5 * (1.0 + z), 0.015) << "z " << z;  // .01, and a facet of 1/128 turn
     }
 }
 
@@ -104,16 +104,16 @@ TEST(Irradiance, DoesNotDependOnTheCamera)
     const auto map = makeMap(256, 128, [](const osg::Vec3d& d) {
         return osg::Vec3d(1.0 + d.x(), 1.0 + 0.5 * d.y(), 0.2 + std::pow(std::max(d.z(), 0.0), 8.0) * 5.0);
     });
-    SceneRenderer renderer(65, 65); // odd: the target is the centre of a pixel
+    SceneRenderer renderer(65, 65);  // odd: the target is the centre of a pixel
     osg::ref_ptr<LitScene> lit = makeLit(map.get());
     lit->addChild(makeSphere(osg::Vec3d(), 1.0, 256));
-    const osg::Vec3d point = osg::Vec3d(0.48, -0.6, 0.64); // on the sphere
+    const osg::Vec3d point = osg::Vec3d(0.48, -0.6, 0.64);  // on the sphere
     osg::Vec3d first;
     for (int i = 0; i < 12; ++i) {
         const double yaw = 0.25 * (i % 4 - 1.5);
         const double pitch = 0.3 * (i / 4 - 1);
         const osg::Quat turn(yaw, osg::Vec3d(0, 0, 1), pitch, osg::Vec3d(1, 0, 0), 0.0, osg::Vec3d(0, 1, 0));
-        const osg::Vec3d up = osg::Quat(0.7 * i, point) * osg::Vec3d(0, 0, 1); // roll
+        const osg::Vec3d up = osg::Quat(0.7 * i, point) * osg::Vec3d(0, 0, 1);  // roll
         renderer.lookAt(point + (turn * point) * 3.0, point, up, 20.0);
         const osg::Vec3d c = centre(renderer.render(lit));
         if (i == 0) first = c;

@@ -32,21 +32,27 @@ osg::ref_ptr<osg::Image> handMade()
 {
     osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(360, 180, 1, GL_RGB, GL_FLOAT);
-    for (int y = 0; y < 180; ++y) // from the top
+    for (int y = 0; y < 180; ++y)  // from the top
         for (int x = 0; x < 360; ++x) {
             osg::Vec3f c(0, 0, 0);
-            if (y < 20) c = osg::Vec3f(0, 0, 1);                       // +Z
-            else if (y >= 160) c = osg::Vec3f(1, 1, 0);                // -Z
-            else if (x >= 150 && x < 210) c = osg::Vec3f(1, 0, 0);     // centre: +X
-            else if (x >= 240 && x < 300) c = osg::Vec3f(1, 0, 1);     // a quarter right of it: -Y
-            else if (x >= 60 && x < 120) c = osg::Vec3f(0, 1, 0);      // a quarter left of it: +Y
-            else if (x < 30 || x >= 330) c = osg::Vec3f(0, 1, 1);      // the edges: -X
+            if (y < 20)
+                c = osg::Vec3f(0, 0, 1);  // +Z
+            else if (y >= 160)
+                c = osg::Vec3f(1, 1, 0);  // -Z
+            else if (x >= 150 && x < 210)
+                c = osg::Vec3f(1, 0, 0);  // centre: +X
+            else if (x >= 240 && x < 300)
+                c = osg::Vec3f(1, 0, 1);  // a quarter right of it: -Y
+            else if (x >= 60 && x < 120)
+                c = osg::Vec3f(0, 1, 0);  // a quarter left of it: +Y
+            else if (x < 30 || x >= 330)
+                c = osg::Vec3f(0, 1, 1);  // the edges: -X
             *reinterpret_cast<osg::Vec3f*>(image->data(unsigned(x), unsigned(179 - y))) = c;
         }
     return image;
 }
 
-} // namespace
+}  // namespace
 
 TEST(Orientation, BackgroundMirrorAndLightAgree)
 {
@@ -61,10 +67,10 @@ TEST(Orientation, BackgroundMirrorAndLightAgree)
             lit->addChild(makeSphere(osg::Vec3d(), 1.0));
             Material::setCookTorrance(*lit->getChild(0)->getOrCreateStateSet(), osg::Vec3f(1, 1, 1), 1.0f, 0.0f);
 
-            renderer.lookAt(d * 10.0, d * 20.0, upFor(d), 10.0); // away from the sphere
+            renderer.lookAt(d * 10.0, d * 20.0, upFor(d), 10.0);  // away from the sphere
             expectColor(renderer.render(lit).color(16, 16), expected, "background", d);
 
-            renderer.lookAt(d * 4.0, osg::Vec3d(), upFor(d), 10.0); // head-on: the mirror shows what lies behind the eye
+            renderer.lookAt(d * 4.0, osg::Vec3d(), upFor(d), 10.0);  // head-on: the mirror shows what lies behind the eye
             expectColor(renderer.render(lit).color(16, 16), expected, "mirror", d);
 
             Material::setLambert(*lit->getChild(0)->getOrCreateStateSet(), osg::Vec3f(1, 1, 1));

@@ -85,7 +85,7 @@ long residentKilobytes()
     return resident * 4;
 }
 
-} // namespace
+}  // namespace
 
 TEST(Host, RemovalRestoresThePictureByteForByte)
 {
@@ -99,7 +99,7 @@ TEST(Host, RemovalRestoresThePictureByteForByte)
     osg::ref_ptr<LitScene> lit = new LitScene;
     lit->addChild(model);
     root->replaceChild(model, lit);
-    EXPECT_GT(rootMeanSquare(before, renderer.render(root, 3)), 0.01); // it did light
+    EXPECT_GT(rootMeanSquare(before, renderer.render(root, 3)), 0.01);  // it did light
     root->replaceChild(lit, model);
     lit = nullptr;
     const Picture after = renderer.render(root, 1);
@@ -145,14 +145,14 @@ TEST(Host, AddingAndRemovingAHundredTimesLeaksNothing)
         lit->setTimed(true);
         lit->addChild(model);
         root->replaceChild(model, lit);
-        renderer.render(root, 6); // timers hold queries after four
+        renderer.render(root, 6);  // timers hold queries after four
         EXPECT_EQ(1u, lit->numViews());
         root->replaceChild(lit, model);
         lit = nullptr;
         renderer.render(root, 2);
         osg::flushAllDeletedGLObjects(renderer.state().getContextID());
     };
-    for (int i = 0; i < 10; ++i) round(); // pools and caches fill
+    for (int i = 0; i < 10; ++i) round();  // pools and caches fill
     const GlObjects before = countGlObjects(renderer.state());
     const long kilobytes = residentKilobytes();
     for (int i = 0; i < 100; ++i) round();
@@ -179,7 +179,7 @@ TEST(Host, NoGlErrorAndNoWarning)
         const Picture p = renderer.render(lit, 3);
         EXPECT_TRUE(p.finite() && !p.rgba.empty());
     }
-    EXPECT_EQ("", notify.text()); // State checks for errors after every attribute, and reports them here
+    EXPECT_EQ("", notify.text());  // State checks for errors after every attribute, and reports them here
 }
 
 TEST(Host, PickingThroughTheNodeIsPickingDirectly)
@@ -221,7 +221,7 @@ TEST(Host, AMapThatChangesIsSeenAtTheNextFrame)
     osgEnvLight::Material::setLambert(*lit->getChild(0)->getOrCreateStateSet(), osg::Vec3f(1, 1, 1));
     EXPECT_NEAR(renderer.render(lit, 2).color(24, 24)[0], 1.0, 0.005);
     std::fill_n(reinterpret_cast<float*>(map->data()), map->getTotalSizeInBytes() / sizeof(float), 3.0f);
-    EXPECT_NEAR(renderer.render(lit, 1).color(24, 24)[0], 1.0, 0.005); // not told yet: nothing is rebuilt
+    EXPECT_NEAR(renderer.render(lit, 1).color(24, 24)[0], 1.0, 0.005);  // not told yet: nothing is rebuilt
     map->dirty();
     EXPECT_NEAR(renderer.render(lit, 1).color(24, 24)[0], 3.0, 0.015);
 }

@@ -20,7 +20,7 @@ const int height = 240;
 
 struct Case {
     const char* model;
-    const char* map; // of blender-data; "" = the built-in sky
+    const char* map;  // of blender-data; "" = the built-in sky
 };
 
 const Case cases[] = {
@@ -57,7 +57,8 @@ class OsgViewer : public testing::Test
     Screen show(const std::string& file, std::string& log, std::vector<std::string> options = {})
     {
         const TemporaryFolder folder;
-        std::vector<std::string> command = {"osgviewer", "--window", "0", "0", std::to_string(width), std::to_string(height), file};
+        std::vector<std::string> command = {"osgviewer", "--window", "0", "0", std::to_string(width), std::to_string(height),
+                                            file};
         command.insert(command.end(), options.begin(), options.end());
         Screen screen;
         {
@@ -75,8 +76,9 @@ class OsgViewer : public testing::Test
 Screen render(const std::string& model, const std::string& map)
 {
     const TemporaryFolder folder;
-    std::vector<std::string> command = {std::string(ENVLIGHT_BINARY_DIR) + "/bin/envlight-render", model, "-o", folder.file("p.png"),
-                                        "--size", std::to_string(width) + "x" + std::to_string(height)};
+    std::vector<std::string> command = {
+        std::string(ENVLIGHT_BINARY_DIR) + "/bin/envlight-render", model, "-o", folder.file("p.png"), "--size",
+        std::to_string(width) + "x" + std::to_string(height)};
     if (!map.empty()) command.insert(command.end(), {"--env", map});
     const Outcome o = runProgram(command);
     EXPECT_EQ(0, o.status) << o.err;
@@ -96,7 +98,7 @@ double meanDifference(const Screen& a, const Screen& b)
     return sum / double(a.rgb.size());
 }
 
-} // namespace
+}  // namespace
 
 TEST_F(OsgViewer, ShowsRealModelsUnderRealMapsAsEnvlightRenderDoes)
 {
@@ -109,7 +111,7 @@ TEST_F(OsgViewer, ShowsRealModelsUnderRealMapsAsEnvlightRenderDoes)
         ASSERT_FALSE(window.rgb.empty()) << "no picture; osgviewer said: " << log;
         const Screen expected = render(model, map);
         ASSERT_EQ(window.rgb.size(), expected.rgb.size());
-        EXPECT_LE(meanDifference(window, expected), 2.0); // of 255, as asked; both round to 8 bits after the same dither
+        EXPECT_LE(meanDifference(window, expected), 2.0);  // of 255, as asked; both round to 8 bits after the same dither
         EXPECT_EQ(std::string::npos, log.find("osgEnvLight")) << log;
         EXPECT_EQ(std::string::npos, log.find("OpenGL error")) << log;
         // A dark corner of the map is dark in both; a pixel that failed is black in the window alone.
@@ -123,8 +125,9 @@ TEST_F(OsgViewer, ShowsRealModelsUnderRealMapsAsEnvlightRenderDoes)
 
 TEST_F(OsgViewer, ShowsAPictureInOtherThreadingModelsAndInStereo)
 {
-    for (const std::vector<std::string>& options :
-         {std::vector<std::string>{"--SingleThreaded"}, {"--CullThreadPerCameraDrawThreadPerContext"}, {"--stereo", "HORIZONTAL_SPLIT"}}) {
+    for (const std::vector<std::string>& options : {std::vector<std::string>{"--SingleThreaded"},
+                                                    {"--CullThreadPerCameraDrawThreadPerContext"},
+                                                    {"--stereo", "HORIZONTAL_SPLIT"}}) {
         std::string log;
         const Screen window = show(models + "OBJ/spider.obj.envlight", log, options);
         EXPECT_FALSE(window.rgb.empty()) << options[0] << ": " << log;

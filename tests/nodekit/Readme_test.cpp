@@ -24,7 +24,7 @@ std::vector<std::string> commands()
     return result;
 }
 
-} // namespace
+}  // namespace
 
 TEST(Readme, EveryCommandWorks)
 {
@@ -39,11 +39,12 @@ TEST(Readme, EveryCommandWorks)
             exports += command + "\n";
             continue;
         }
-        if (command == "tests/run") continue; // this is it
+        if (command == "tests/run") continue;  // this is it
         ++run;
         if (command.rfind("osgviewer ", 0) == 0) {
             const VirtualDisplay own(1280, 1024);
-            const BackgroundProgram viewer({"bash", "-c", exports + "exec " + command}, folder.file("log"), {"DISPLAY=" + own.name()});
+            const BackgroundProgram viewer({"bash", "-c", exports + "exec " + command}, folder.file("log"),
+                                           {"DISPLAY=" + own.name()});
             EXPECT_FALSE(own.waitForPicture(1000, 700, 180).rgb.empty()) << readFile(folder.file("log"));
             continue;
         }

@@ -45,7 +45,7 @@ osg::ref_ptr<LitScene> makeScene()
     return lit;
 }
 
-} // namespace
+}  // namespace
 
 class Serializers : public testing::TestWithParam<const char*>
 {

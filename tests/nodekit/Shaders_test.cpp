@@ -45,7 +45,7 @@ size_t occurrences(const std::string& text, const std::string& word)
     return n;
 }
 
-} // namespace
+}  // namespace
 
 TEST(Shaders, AnErrorNamesTheRealFileAndLineAndTheSceneStaysUnlit)
 {
@@ -79,6 +79,7 @@ TEST(Shaders, AMissingIncludeIsOneMessage)
     osg::ref_ptr<LitScene> lit = makeLit(constantMap(1.0).get());
     lit->addChild(makeSphere(osg::Vec3d(), 1.0));
     renderer.render(lit, 3);
-    EXPECT_NE(std::string::npos, notify.text().find("pass/diffuse.frag:2: no shader text named 'lib/nowhere.glsl'")) << notify.text();
+    EXPECT_NE(std::string::npos, notify.text().find("pass/diffuse.frag:2: no shader text named 'lib/nowhere.glsl'"))
+        << notify.text();
     EXPECT_EQ(1u, occurrences(notify.text(), "osgEnvLight: "));
 }

@@ -57,10 +57,10 @@ osg::ref_ptr<osg::Texture2D> texture(const osg::Vec4ub& color)
     return new osg::Texture2D(image);
 }
 
-const double linear128 = std::pow((128.0 / 255.0 + 0.055) / 1.055, 2.4); // sRGB, IEC 61966-2-1
-const double small = 0.003; // SH of a constant map in half floats: .05 %; the rest is 8-bit input
+const double linear128 = std::pow((128.0 / 255.0 + 0.055) / 1.055, 2.4);  // sRGB, IEC 61966-2-1
+const double small = 0.003;  // SH of a constant map in half floats: .05 %; the rest is 8-bit input
 
-} // namespace
+}  // namespace
 
 class Surfaces : public testing::Test
 {
@@ -88,7 +88,7 @@ TEST_F(Surfaces, OsgMaterialNeverReflectsMoreThanItReceives)
     const osg::Vec3d c = centre(renderer, lit);
     EXPECT_TRUE(lit->plan().specular);
     EXPECT_LE(c[0], 1.0 + small);
-    EXPECT_GT(c[0], 0.9); // at normal incidence the lobe of n = 20 loses a few per cent below the horizon at most
+    EXPECT_GT(c[0], 0.9);  // at normal incidence the lobe of n = 20 loses a few per cent below the horizon at most
 }
 
 TEST_F(Surfaces, ColorModeTakesVertexColours)
@@ -111,7 +111,7 @@ TEST_F(Surfaces, TexturesAreDecodedFromSrgbAndOnlyWhereSwitchedOn)
         osg::ref_ptr<LitScene> lit = whiteFurnace();
         osg::ref_ptr<osg::Geode> geode = screen();
         osg::ref_ptr<osg::Vec2Array> st = new osg::Vec2Array(4);
-        std::fill(st->begin(), st->end(), osg::Vec2(0.5f, 0.5f)); // away from the border that OSG clamps to
+        std::fill(st->begin(), st->end(), osg::Vec2(0.5f, 0.5f));  // away from the border that OSG clamps to
         geode->getDrawable(0)->asGeometry()->setTexCoordArray(0, st.get());
         osg::StateSet& s = *geode->getOrCreateStateSet();
         setMaterial(s, osg::Vec4(1, 1, 1, 1));
@@ -125,7 +125,7 @@ TEST_F(Surfaces, TexturesAreDecodedFromSrgbAndOnlyWhereSwitchedOn)
 TEST_F(Surfaces, UnlitGeometryEmitsItsColour)
 {
     osg::ref_ptr<LitScene> lit = whiteFurnace();
-    lit->getEnvironmentMap()->setIntensity(0.0); // nothing but emission
+    lit->getEnvironmentMap()->setIntensity(0.0);  // nothing but emission
     osg::ref_ptr<osg::Geode> geode = screen();
     osg::ref_ptr<osg::Vec4Array> colors = new osg::Vec4Array;
     colors->push_back(osg::Vec4(128 / 255.0f, 1, 0, 1));
@@ -135,7 +135,7 @@ TEST_F(Surfaces, UnlitGeometryEmitsItsColour)
     const osg::Vec3d c = centre(renderer, lit);
     EXPECT_NEAR(c[0], linear128, small);
     EXPECT_NEAR(c[1], 1.0, small);
-    EXPECT_FALSE(lit->plan().diffuse); // a black map: the plan says so
+    EXPECT_FALSE(lit->plan().diffuse);  // a black map: the plan says so
 }
 
 TEST_F(Surfaces, BackFacesMissingNormalsAndMirroredTransformsAreLitFromTheirSeenSide)
@@ -149,11 +149,11 @@ TEST_F(Surfaces, BackFacesMissingNormalsAndMirroredTransformsAreLitFromTheirSeen
         Material::setLambert(*geode->getOrCreateStateSet(), osg::Vec3f(1, 1, 1));
         osg::ref_ptr<osg::MatrixTransform> transform = new osg::MatrixTransform;
         transform->addChild(geode);
-        if (kind == 1) transform->setMatrix(osg::Matrix::rotate(osg::PI, 0, 0, 1)); // seen from behind
-        if (kind == 2) transform->setMatrix(osg::Matrix::scale(-1, 1, 1));          // winding inverted
+        if (kind == 1) transform->setMatrix(osg::Matrix::rotate(osg::PI, 0, 0, 1));  // seen from behind
+        if (kind == 2) transform->setMatrix(osg::Matrix::scale(-1, 1, 1));           // winding inverted
         if (kind == 3) geode->getDrawable(0)->asGeometry()->setNormalArray(nullptr);
         lit->addChild(transform);
-        EXPECT_NEAR(centre(renderer, lit)[0], 1.0, 0.01) << "kind " << kind; // the list's own error
+        EXPECT_NEAR(centre(renderer, lit)[0], 1.0, 0.01) << "kind " << kind;  // the list's own error
     }
 }
 
@@ -187,11 +187,11 @@ TEST_F(Surfaces, TransparentOnesAreDrawnOverTheLitSceneAndBehindWhatHidesThem)
     add(0.0, osg::Vec4(1, 0, 0, 1));
     osg::ref_ptr<osg::Geode> pane = add(-1.0, osg::Vec4(0, 1, 0, 0.25f));
     const osg::Vec3d over = centre(renderer, lit);
-    EXPECT_NEAR(over[0], 0.75, 0.01); // .75 red + .25 green, both lit by the furnace
+    EXPECT_NEAR(over[0], 0.75, 0.01);  // .75 red + .25 green, both lit by the furnace
     EXPECT_NEAR(over[1], 0.25, 0.01);
     EXPECT_EQ(1u, lit->plan().surfaces.forward);
     lit->removeChild(pane);
-    add(1.0, osg::Vec4(0, 1, 0, 0.25f)); // behind: the composite's depth hides it
+    add(1.0, osg::Vec4(0, 1, 0, 0.25f));  // behind: the composite's depth hides it
     EXPECT_NEAR(centre(renderer, lit)[1], 0.0, 0.001);
 }
 

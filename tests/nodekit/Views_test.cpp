@@ -130,7 +130,7 @@ osg::ref_ptr<osg::Image> run(osgViewer::ViewerBase::ThreadingModel model, bool t
     return b.grab->image;
 }
 
-} // namespace
+}  // namespace
 
 TEST_F(Views, EveryThreadingModelDrawsTheSamePicture)
 {
@@ -138,8 +138,9 @@ TEST_F(Views, EveryThreadingModelDrawsTheSamePicture)
     for (bool twoParents : {false, true}) {
         const osg::ref_ptr<osg::Image> expected = run(V::SingleThreaded, twoParents, false);
         ASSERT_TRUE(expected);
-        EXPECT_GT(byteRange(*expected), 50); // not an empty picture
-        for (V::ThreadingModel model : {V::CullDrawThreadPerContext, V::DrawThreadPerContext, V::CullThreadPerCameraDrawThreadPerContext}) {
+        EXPECT_GT(byteRange(*expected), 50);  // not an empty picture
+        for (V::ThreadingModel model :
+             {V::CullDrawThreadPerContext, V::DrawThreadPerContext, V::CullThreadPerCameraDrawThreadPerContext}) {
             const osg::ref_ptr<osg::Image> found = run(model, twoParents, true);
             ASSERT_TRUE(found);
             EXPECT_EQ(0, largestByteDifference(*expected, *found)) << "model " << model << ", two parents " << twoParents;
@@ -162,7 +163,7 @@ TEST_F(Views, AnOffsetViewportShowsTheSamePicture)
         viewer.frame();
         pictures[i] = v.grab->image;
     }
-    EXPECT_LE(largestByteDifference(*pictures[0], *pictures[1]), 1); // the rasteriser's own rounding at another offset
+    EXPECT_LE(largestByteDifference(*pictures[0], *pictures[1]), 1);  // the rasteriser's own rounding at another offset
 }
 
 TEST_F(Views, DataIsFreedWithTheView)
@@ -194,7 +195,7 @@ TEST(Sizes, AViewportOfNothingAndOfOnePixelAndBack)
     for (const auto& [w, h] : {std::pair(0, 0), std::pair(1, 1), std::pair(7, 5), std::pair(64, 1), std::pair(3, 64)}) {
         renderer.viewer().getCamera()->setViewport(0, 0, w, h);
         NotifyCatcher notify;
-        renderer.render(plain, 2); // OSG itself gives an empty frame buffer a GL error; it is not for us to add another
+        renderer.render(plain, 2);  // OSG itself gives an empty frame buffer a GL error; it is not for us to add another
         const std::string withoutUs = notify.text();
         notify.clear();
         const Picture p = renderer.render(lit, 2);

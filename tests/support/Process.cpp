@@ -33,7 +33,7 @@ int start(const std::vector<std::string>& command, const std::vector<std::string
     _exit(127);
 }
 
-} // namespace
+}  // namespace
 
 Outcome runProgram(const std::vector<std::string>& command, const std::vector<std::string>& environment)
 {
@@ -41,7 +41,8 @@ Outcome runProgram(const std::vector<std::string>& command, const std::vector<st
     const int pid = start(command, environment, folder.file("out"), folder.file("err"));
     int status = 0;
     waitpid(pid, &status, 0);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), readFile(folder.file("out")), readFile(folder.file("err"))};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), readFile(folder.file("out")),
+            readFile(folder.file("err"))};
 }
 
 BackgroundProgram::BackgroundProgram(const std::vector<std::string>& command, const std::string& log,

@@ -6,7 +6,7 @@
 
 /** What a program said and how it ended. */
 struct Outcome {
-    int status = -1; // exit status; 128 + n if signal n ended it
+    int status = -1;  // exit status; 128 + n if signal n ended it
     std::string out;
     std::string err;
 };

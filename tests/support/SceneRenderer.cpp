@@ -68,7 +68,7 @@ Picture SceneRenderer::render(osg::Node* scene, int frames)
     const osg::Viewport& viewport = *_viewer.getCamera()->getViewport();
     const int width = int(viewport.width());
     const int height = int(viewport.height());
-    const bool empty = width < 1 || height < 1; // OSG itself crashes on an image of no pixels
+    const bool empty = width < 1 || height < 1;  // OSG itself crashes on an image of no pixels
     if (!empty && (width != _image->s() || height != _image->t())) attachImage(width, height);
     for (int i = 0; i < frames; ++i) _viewer.frame(_time += 1.0 / 30.0);
     Picture picture{width, height, {}};
@@ -142,7 +142,7 @@ void addQuad(osg::Vec3Array& vertices, osg::Vec3Array& normals, osg::DrawElement
     for (unsigned i : {0u, 1u, 2u, 0u, 2u, 3u}) triangles.push_back(base + i);
 }
 
-} // namespace
+}  // namespace
 
 osg::ref_ptr<osg::Geode> makeSphere(const osg::Vec3d& center, double radius, int segments)
 {

@@ -29,23 +29,23 @@ double rootMeanSquare(const Picture& a, const Picture& b);
 double largestDifference(const Picture& a, const Picture& b);
 
 /** Draws scene graphs into float pictures, in a headless context of its own: a State of OSG's takes a fresh context for
-  * granted. One at a time is current.*/
+ * granted. One at a time is current.*/
 class SceneRenderer
 {
   public:
     SceneRenderer(int width, int height);
 
-    /** The picture of the n-th frame, of the size of the camera's viewport. The projection's near and far follow the scene, as in any viewer. */
+    /** The picture of the n-th frame, of the size of the camera's viewport. The projection's near and far follow the scene, as in
+     * any viewer. */
     Picture render(osg::Node* scene, int frames = 1);
 
     /** Milliseconds of each of the frames, until the GPU is done, into a texture: nothing is read back. render() can't be
-      * used afterwards.*/
+     * used afterwards.*/
     std::vector<double> time(osg::Node* scene, int frames);
 
     void lookAt(const osg::Vec3d& eye, const osg::Vec3d& target, const osg::Vec3d& up = osg::Vec3d(0, 0, 1), double fovy = 40.0);
     osgViewer::Viewer& viewer() { return _viewer; }
     osg::State& state() { return *_window->getState(); }
-
 
   private:
     void attachImage(int width, int height);
@@ -70,7 +70,8 @@ osg::ref_ptr<osg::Image> makeMap(int width, int height, Radiance radiance)
             // Written out here, not taken from the library: top row +Z, centre +X, columns clockwise seen from above.
             const double theta = osg::PI * (y + 0.5) / height;
             const double phi = 2.0 * osg::PI * (0.5 - (x + 0.5) / width);
-            const osg::Vec3d c = radiance(osg::Vec3d(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)));
+            const osg::Vec3d c =
+                radiance(osg::Vec3d(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)));
             float* p = reinterpret_cast<float*>(image->data(unsigned(x), unsigned(height - 1 - y)));
             for (int k = 0; k < 3; ++k) p[k] = float(c[k]);
         }

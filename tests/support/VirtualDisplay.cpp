@@ -28,14 +28,14 @@ bool uniform(const Screen& s)
     return true;
 }
 
-} // namespace
+}  // namespace
 
 VirtualDisplay::VirtualDisplay(int width, int height)
 {
     // -noreset: the server would forget everything when the first program ends.
     _server = std::make_unique<BackgroundProgram>(
-        std::vector<std::string>{"Xvfb", "-displayfd", "1", "-noreset", "-nolisten", "tcp", "-fbdir", _folder.file("."), "-screen",
-                                 "0", std::to_string(width) + "x" + std::to_string(height) + "x24"},
+        std::vector<std::string>{"Xvfb", "-displayfd", "1", "-noreset", "-nolisten", "tcp", "-fbdir", _folder.file("."),
+                                 "-screen", "0", std::to_string(width) + "x" + std::to_string(height) + "x24"},
         _folder.file("log"));
     for (int i = 0; i < 100 && _server->running(); ++i, pause()) {
         const std::string log = readFile(_folder.file("log"));
@@ -56,7 +56,7 @@ Screen VirtualDisplay::read(int width, int height) const
     Screen s{width, height, {}};
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
-            for (size_t k : {2, 1, 0}) // stored as BGRX
+            for (size_t k : {2, 1, 0})  // stored as BGRX
                 s.rgb.push_back(static_cast<unsigned char>(dump[start + stride * size_t(y) + 4 * size_t(x) + k]));
     return s;
 }
