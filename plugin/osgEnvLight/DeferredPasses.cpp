@@ -37,7 +37,7 @@ osg::StateSet& DeferredTechnique::passState(Cull& c, const std::string& name, co
     s.setName("osgEnvLight " + key);
     for (const std::string& d : inputs.defines) s.setDefine(d);
     s.setAttribute(_library->program("pass/fullscreen.vert", "pass/" + name + ".frag"), on);
-    for (GLenum mode : {GL_BLEND, GL_CULL_FACE, GL_LIGHTING, GL_ALPHA_TEST}) s.setMode(mode, off);
+    for (GLenum mode : {GLenum(GL_BLEND), GLenum(GL_CULL_FACE), GLenum(GL_LIGHTING), GLenum(GL_ALPHA_TEST)}) s.setMode(mode, off);
     s.setAttribute(new osg::PolygonMode, on);
     const bool composite = name == "composite";
     s.setAttributeAndModes(new osg::Depth(composite ? osg::Depth::LEQUAL : osg::Depth::ALWAYS, 0, 1, composite),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgEnvLight/LightTexture>
 
+#include <osgEnvLight/GBuffer>
+
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
@@ -67,13 +69,8 @@ osg::ref_ptr<osg::Texture2D> lightTexture(const LightList& lights, unsigned grou
             flux[k] = float(lights[i].flux[k] * scale);
         }
     }
-    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
-    texture->setInternalFormat(GL_RGBA32F_ARB);
-    texture->setResizeNonPowerOfTwoHint(false);
-    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST);
-    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::NEAREST);
-    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
-    texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
+    osg::ref_ptr<osg::Texture2D> texture = targetTexture(int(columns), int(2 * groups), GL_RGBA32F_ARB);
+    texture->setImage(image);
     return texture;
 }
 

@@ -77,9 +77,10 @@ class Value
     {
         osg::Vec3d v;
         if (!_json.is_array() || _json.size() != 3) fail(what);
-        for (unsigned i = 0; i < 3; ++i) {
-            if (!_json[i].is_number()) fail(what);
-            v[i] = _json[i].get<double>();
+        for (int i = 0; i < 3; ++i) {
+            const json& component = _json[size_t(i)];
+            if (!component.is_number()) fail(what);
+            v[i] = component.get<double>();
             if (!(v[i] >= low && v[i] <= high)) fail(what);
         }
         return v;
@@ -141,7 +142,7 @@ MaterialDescription readMaterial(const Value& v, const std::string& name)
     if (v.has("baseColor")) m.baseColor = color(v["baseColor"]);
     if (v.has("metalness")) m.metalness = float(v["metalness"].number(0, 1, "a number in 0..1"));
     if (v.has("roughness")) m.roughness = float(v["roughness"].number(0, 1, "a number in 0..1"));
-    for (unsigned i = 0; i < 3; ++i)
+    for (int i = 0; i < 3; ++i)
         if (m.brdf == Material::PHONG && m.diffuse[i] + m.specular[i] > 1.0f + 1e-6f) v.fail("diffuse + specular <= 1");
     return m;
 }
@@ -192,7 +193,12 @@ void readModels(const Value& v, SceneDescription& scene)
 json parse(std::istream& in, const std::string& name)
 {
     try {
-        return json::parse(in);
+        // Deeper than any scene needs, shallower than the stack that messages recurse on.
+        const auto limit = [&name](int depth, json::parse_event_t, json&) {
+            if (depth > 64) throw std::runtime_error(name + ": not valid: nested deeper than 64 levels");
+            return true;
+        };
+        return json::parse(in, limit);
     } catch (const json::exception& e) {  // a fault of syntax, or a number beyond a double
         const std::string what = e.what();
         const size_t at = what.find("at line");

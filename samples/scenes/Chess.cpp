@@ -89,7 +89,7 @@ osg::ref_ptr<osg::Texture2D> woodTexture(const Wood& wood)
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
             const osg::Vec3d colour = woodColour(wood, (x + 0.5) / size, (y + 0.5) / size);
-            for (unsigned c = 0; c < 3; ++c) image->data(x, y)[c] = static_cast<unsigned char>(colour[c] + 0.5);
+            for (int c = 0; c < 3; ++c) image->data(unsigned(x), unsigned(y))[c] = static_cast<unsigned char>(colour[c] + 0.5);
         }
     osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
     texture->setWrap(osg::Texture::WRAP_S, osg::Texture::REPEAT);

@@ -19,8 +19,8 @@ class SurfaceNet
     SurfaceNet(const Field& field, const osg::BoundingBoxd& bounds, double cell)
         : _field(field), _origin(bounds._min), _cell(cell)
     {
-        for (unsigned a = 0; a < 3; ++a)
-            _size[a] = static_cast<unsigned>(std::ceil((bounds._max[a] - bounds._min[a]) / cell)) + 1;
+        for (int a = 0; a < 3; ++a)
+            _size[size_t(a)] = static_cast<unsigned>(std::ceil((bounds._max[a] - bounds._min[a]) / cell)) + 1;
         forEachCorner([this](const Index& at) { _values.push_back(_field(position(at))); });
     }
 
@@ -50,7 +50,7 @@ class SurfaceNet
     osg::Vec3d gradient(const osg::Vec3d& p) const
     {
         osg::Vec3d g;
-        for (unsigned a = 0; a < 3; ++a) {
+        for (int a = 0; a < 3; ++a) {
             osg::Vec3d step;
             step[a] = _cell * 0.1;
             g[a] = (_field(p + step) - _field(p - step)) / (2 * step[a]);
@@ -83,7 +83,7 @@ class SurfaceNet
         for (int step = 0; step < 3; ++step) {
             const osg::Vec3d g = gradient(p);
             p -= g * (_field(p) / g.length2());
-            for (unsigned a = 0; a < 3; ++a) p[a] = std::clamp(p[a], low[a], high[a]);
+            for (int a = 0; a < 3; ++a) p[a] = std::clamp(p[a], low[a], high[a]);
         }
         _vertexOfCell[flat(at)] = _mesh.addVertex({p, gradient(p), {}});
     }

@@ -101,6 +101,7 @@ TEST_F(BadInput, SceneDescriptions)
         {"", {"scene.envlight", "JSON"}},
         {"{\"model\": ", {"scene.envlight", "line 1"}},
         {"[1]", {"scene.envlight", "object"}},
+        {std::string(200000, '['), {"scene.envlight", "64 levels"}},
         {"{\"model\": 1e999999}", {"scene.envlight", "JSON", "1e999999"}},
         {"{}", {"model"}},
         {"{\"model\": 3}", {"'model'", "string", "3"}},

@@ -22,7 +22,7 @@ double worstDeviation(const Picture& picture, double expected)
         for (int x = 0; x < picture.width; ++x) {
             if (picture.alpha(x, y) < 0.5f) continue;
             ++covered;
-            for (int k = 0; k < 3; ++k) worst = std::max(worst, std::abs(picture.color(x, y)[unsigned(k)] / expected - 1.0));
+            for (int k = 0; k < 3; ++k) worst = std::max(worst, std::abs(picture.color(x, y)[k] / expected - 1.0));
         }
     EXPECT_GT(covered, picture.width * picture.height / 8);
     return worst;

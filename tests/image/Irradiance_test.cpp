@@ -79,7 +79,7 @@ TEST(Irradiance, SixDirectionsAgainstQuadrature)
     SceneRenderer renderer(16, 16);
     for (int axis = 0; axis < 6; ++axis) {
         osg::Vec3d n;
-        n[unsigned(axis / 2)] = axis % 2 ? -1.0 : 1.0;
+        n[axis / 2] = axis % 2 ? -1.0 : 1.0;
         const osg::Vec3d a(n.y(), n.z(), n.x());
         const osg::Vec3d b = n ^ a;
         osg::Vec3d expected;
@@ -95,7 +95,7 @@ TEST(Irradiance, SixDirectionsAgainstQuadrature)
         lit->addChild(makeQuad((a + b) * -1.0, a * 2.0, b * 2.0));
         renderer.lookAt(n * 4.0, osg::Vec3d(), a);
         const osg::Vec3d found = centre(renderer.render(lit));
-        for (unsigned k = 0; k < 3; ++k) EXPECT_NEAR(found[k], expected[k], skyTolerance) << "axis " << axis << ", channel " << k;
+        for (int k = 0; k < 3; ++k) EXPECT_NEAR(found[k], expected[k], skyTolerance) << "axis " << axis << ", channel " << k;
     }
 }
 
@@ -117,6 +117,6 @@ TEST(Irradiance, DoesNotDependOnTheCamera)
         renderer.lookAt(point + (turn * point) * 3.0, point, up, 20.0);
         const osg::Vec3d c = centre(renderer.render(lit));
         if (i == 0) first = c;
-        for (unsigned k = 0; k < 3; ++k) EXPECT_NEAR(c[k] / first[k], 1.0, 0.01) << "view " << i << ", channel " << k;
+        for (int k = 0; k < 3; ++k) EXPECT_NEAR(c[k] / first[k], 1.0, 0.01) << "view " << i << ", channel " << k;
     }
 }

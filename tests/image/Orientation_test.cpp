@@ -22,7 +22,7 @@ osg::Vec3d upFor(const osg::Vec3d& d)
 
 void expectColor(const osg::Vec3d& found, const osg::Vec3d& expected, const char* what, const osg::Vec3d& d)
 {
-    for (unsigned k = 0; k < 3; ++k)
+    for (int k = 0; k < 3; ++k)
         EXPECT_NEAR(found[k], expected[k], 0.02) << what << " towards " << d.x() << " " << d.y() << " " << d.z();
 }
 
@@ -75,8 +75,8 @@ TEST(Orientation, BackgroundMirrorAndLightAgree)
 
             Material::setLambert(*lit->getChild(0)->getOrCreateStateSet(), osg::Vec3f(1, 1, 1));
             const osg::Vec3d shade = renderer.render(lit).color(16, 16);
-            for (unsigned k = 0; k < 3; ++k)
-                for (unsigned j = 0; j < 3; ++j) {
+            for (int k = 0; k < 3; ++k)
+                for (int j = 0; j < 3; ++j) {
                     if (expected[k] <= expected[j]) continue;
                     EXPECT_GT(shade[k], shade[j]) << "light from " << d.x() << " " << d.y() << " " << d.z();
                 }

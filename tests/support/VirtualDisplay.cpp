@@ -56,7 +56,7 @@ Screen VirtualDisplay::read(int width, int height) const
     Screen s{width, height, {}};
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
-            for (size_t k : {2, 1, 0})  // stored as BGRX
+            for (size_t k : {2u, 1u, 0u})  // stored as BGRX
                 s.rgb.push_back(static_cast<unsigned char>(dump[start + stride * size_t(y) + 4 * size_t(x) + k]));
     return s;
 }
