@@ -99,24 +99,24 @@ void prepareStage(osgUtil::RenderStage& stage, osgUtil::RenderStage& host, osg::
     stage.setInitialViewMatrix(host.getInitialViewMatrix());
 }
 
-Pass::Pass(const std::string& name, GpuTimer* timer)
-    : _stage(new osgUtil::RenderStage), _root(new osgUtil::StateGraph), _triangle(new FullScreen(name, timer))
+Pass::Pass(const std::string& name, GpuTimer* timer) : _stage(new PassStage), _triangle(new FullScreen(name, timer))
 {
-    _stage->setStateGraph(_root.get());
+    _stage->root = new osgUtil::StateGraph;
+    _stage->setStateGraph(_stage->root.get());
 }
 
 void Pass::add(osgUtil::RenderStage& host, osg::Camera& camera, osg::Viewport& viewport, osg::StateSet& state,
                osg::StateSet& uniforms, osg::RefMatrix* projection, osg::RefMatrix* modelView)
 {
     prepareStage(*_stage, host, camera, viewport, 0);
-    _root->clean();
-    osgUtil::StateGraph* graph = _root->find_or_insert(&state)->find_or_insert(&uniforms);
-    if (!_leaf)
-        _leaf = new osgUtil::RenderLeaf(_triangle.get(), projection, modelView);
+    _stage->root->clean();
+    osgUtil::StateGraph* graph = _stage->root->find_or_insert(&state)->find_or_insert(&uniforms);
+    if (!_stage->leaf)
+        _stage->leaf = new osgUtil::RenderLeaf(_triangle.get(), projection, modelView);
     else
-        _leaf->set(_triangle.get(), projection, modelView);
+        _stage->leaf->set(_triangle.get(), projection, modelView);
     _stage->addStateGraph(graph);
-    graph->addLeaf(_leaf.get());
+    graph->addLeaf(_stage->leaf.get());
     host.addPreRenderStage(_stage.get(), 0);  // equal numbers keep the order of insertion
 }
 

@@ -148,6 +148,28 @@ TEST_F(Views, EveryThreadingModelDrawsTheSamePicture)
     }
 }
 
+TEST_F(Views, ANodeMayDieWhileItsLastFrameIsDrawn)
+{
+    using V = osgViewer::ViewerBase;
+    for (V::ThreadingModel model : {V::DrawThreadPerContext, V::CullThreadPerCameraDrawThreadPerContext}) {
+        osg::ref_ptr<osg::Group> root = new osg::Group;
+        osgViewer::CompositeViewer viewer;
+        osg::ref_ptr<osg::GraphicsContext> context = makeWindow(256, 128);
+        ASSERT_TRUE(context);
+        View a = addView(viewer, context.get(), root.get(), 0, 0, 256, 128, osg::Vec3d(0, -5, 1));
+        viewer.setThreadingModel(model);
+        viewer.realize();
+        for (int i = 0; i < 40; ++i) {
+            root->removeChildren(0, root->getNumChildren());  // a draw thread may still be at the former one's stages
+            root->addChild(makeScene());
+            viewer.frame(0.1 * i);
+        }
+        viewer.stopThreading();
+        ASSERT_TRUE(a.grab->image);
+        EXPECT_GT(byteRange(*a.grab->image), 50);
+    }
+}
+
 TEST_F(Views, AnOffsetViewportShowsTheSamePicture)
 {
     osg::ref_ptr<osg::Image> pictures[2];
