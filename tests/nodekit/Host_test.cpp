@@ -6,6 +6,7 @@
 
 #include <osg/BlendFunc>
 #include <osg/Material>
+#include <osgGA/TrackballManipulator>
 #include <osgUtil/LineSegmentIntersector>
 #include <osgUtil/IntersectionVisitor>
 
@@ -224,4 +225,38 @@ TEST(Host, AMapThatChangesIsSeenAtTheNextFrame)
     EXPECT_NEAR(renderer.render(lit, 1).color(24, 24)[0], 1.0, 0.005);  // not told yet: nothing is rebuilt
     map->dirty();
     EXPECT_NEAR(renderer.render(lit, 1).color(24, 24)[0], 3.0, 0.015);
+}
+
+TEST(Host, AKeyCyclesTheIntermediatesAndIsHandledOnlyByUs)
+{
+    SceneRenderer renderer(32, 32);
+    osg::ref_ptr<LitScene> lit = makeLit(constantMap(1.0).get());
+    lit->addChild(makeSphere(osg::Vec3d(), 1.0));
+    renderer.render(lit, 1);
+    for (int i = 1; i <= osgEnvLight::Settings::NUM_VIEWS; ++i) {
+        renderer.viewer().getEventQueue()->keyPress('V');
+        renderer.viewer().getEventQueue()->keyPress('x');  // nobody's
+        renderer.render(lit, 1);
+        EXPECT_EQ(i % osgEnvLight::Settings::NUM_VIEWS, lit->getSettings()->view);
+    }
+}
+
+TEST(Host, ASceneDescriptionsCameraIsTheManipulatorsHomeOnce)
+{
+    SceneRenderer renderer(64, 32);
+    osg::ref_ptr<LitScene> lit = makeLit(constantMap(1.0).get());
+    lit->addChild(makeSphere(osg::Vec3d(), 1.0));
+    osgEnvLight::HomeView view;
+    view.eye = osg::Vec3d(3, -4, 5);
+    view.fovy = 50.0;
+    lit->setHomeView(view);
+    renderer.viewer().setCameraManipulator(new osgGA::TrackballManipulator);
+    renderer.render(lit, 3);
+    osg::Vec3d eye, target, up;
+    renderer.viewer().getCamera()->getViewMatrixAsLookAt(eye, target, up);
+    EXPECT_NEAR(0.0, (eye - view.eye).length(), 1e-4);
+    double fovy, aspect, near, far;
+    renderer.viewer().getCamera()->getProjectionMatrixAsPerspective(fovy, aspect, near, far);
+    EXPECT_NEAR(50.0, fovy, 1e-6);
+    EXPECT_NEAR(2.0, aspect, 1e-6);
 }
