@@ -54,6 +54,12 @@ try {
     ViewData& vd = view(cv, *host);
     vd.fit(int(viewport->width()), int(viewport->height()), textures.get());
     GBuffer& gbuffer = node.getGBuffer() ? *node.getGBuffer() : vd.gbuffer();
+    if (gbuffer.width != vd.width() || gbuffer.height != vd.height()) {
+        reportOnce("the G-buffer is " + std::to_string(gbuffer.width) + "x" + std::to_string(gbuffer.height) +
+                   ", expected the view's " + std::to_string(vd.width()) + "x" + std::to_string(vd.height()) +
+                   "; the scene is shown unlit");
+        return false;
+    }
     const double degrees = node.getEnvironmentMap()->getRotation();
     Cull c{vd,
            vd.frame(&cv),

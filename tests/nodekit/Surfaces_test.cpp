@@ -236,4 +236,9 @@ TEST_F(Surfaces, ACameraOfTheApplicationsFillsTheGBuffer)
     const Picture found = renderer.render(lit, 2);
     EXPECT_GT(found.alpha(16, 16), 0.5f);
     EXPECT_LT(largestDifference(expected, found), 1e-3);
+
+    NotifyCatcher notify;
+    lit->setGBuffer(osg::ref_ptr<osgEnvLight::GBufferCallback>(new osgEnvLight::GBufferCallback(16, 24))->getGBuffer());
+    renderer.render(lit, 2);
+    EXPECT_NE(std::string::npos, notify.text().find("16x24, expected the view's 32x32")) << notify.text();
 }
