@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgEnvLight/MapTextures>
 
+#include <osgEnvLight/AutoSampler>
 #include <osgEnvLight/LightTexture>
 #include <osgEnvLight/SphericalHarmonics>
 
@@ -236,7 +237,7 @@ osg::Uniform* MapTextures::harmonics()
 const LightList& MapTextures::diffuseList(unsigned count)
 {
     if (_diffuseCount != count) {
-        const osg::ref_ptr<SplitSampler> sampler = new SplitSampler;
+        const osg::ref_ptr<const LightSampler> sampler = new AutoSampler;
         _diffuseCount = count;
         _diffuseList = sampler->sample(*_map, count);
         _diffuseLights = nullptr;
@@ -263,7 +264,7 @@ const DiffuseCarrier& MapTextures::carrier(unsigned count)
 osg::Texture2D* MapTextures::occlusionLights(unsigned count)
 {
     if (!_occlusionLights || _occlusionCount != count) {
-        osg::ref_ptr<SplitSampler> sampler = new SplitSampler;
+        osg::ref_ptr<const LightSampler> sampler = new AutoSampler;
         _occlusionCount = count;
         _occlusionLights = lightTexture(dealt(sampler->sample(*_map, count)), 16, _scale);
     }

@@ -58,7 +58,7 @@ void lights(benchmark::State& state)
 {
     const osg::ref_ptr<const RadianceMap> radiance = makeRadiance(int(state.range(0)));
     radiance->harmonics();
-    const osg::ref_ptr<SplitSampler> sampler = new SplitSampler;
+    const osg::ref_ptr<const LightSampler> sampler = LightSampler::create("auto");
     for (auto _ : state) benchmark::DoNotOptimize(sampler->sample(*radiance, unsigned(state.range(1))));
 }
 

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#include <osgEnvLight/MedianCutSampler>
+
+#include <osgEnvLight/LightRegions>
+
+namespace osgEnvLight
+{
+
+LightList MedianCutSampler::place(const RadianceMap& map, unsigned count, const Options& options) const
+{
+    const MomentTable table(map, 1024, options.floor);
+    RegionRule rule;
+    rule.exponent = 0.0;
+    rule.bestAxis = false;
+    rule.wholeTexels = true;
+    LightList lights;
+    lights.reserve(count);
+    for (const LightRegion& r : divideRegions(table, {wholeRegion(table)}, count, rule)) lights.push_back(regionLight(r, table));
+    return lights;
+}
+
+}  // namespace osgEnvLight
