@@ -77,7 +77,42 @@ int harmonicBand(int i)
 
 double cosineBand(int l)
 {
-    return l == 0 ? glsl::PI : l == 1 ? 2.0 * glsl::PI / 3.0 : l == 2 ? glsl::PI / 4.0 : -glsl::PI / 24.0;
+    if (l == 1) return 2.0 * glsl::PI / 3.0;
+    if (l % 2) return 0.0;
+    // 2 pi (-1)^(l/2 - 1) / ((l + 2) (l - 1)) l! / (2^l (l/2)!^2); the last factor is the central binomial over 2^l.
+    double binomial = 1.0;
+    for (int i = 1; i <= l / 2; ++i) binomial *= (2.0 * i - 1.0) / (2.0 * i);
+    return 2.0 * glsl::PI * (l / 2 % 2 ? 1.0 : -1.0) / ((l + 2.0) * (l - 1.0)) * binomial;
+}
+
+void evaluateHarmonics(int lastBand, const osg::Vec3d& d, double* result)
+{
+    const double s = std::sqrt(d.x() * d.x() + d.y() * d.y());
+    const double cosine = s > 1e-15 ? d.x() / s : 1.0;
+    const double sine = s > 1e-15 ? d.y() / s : 0.0;
+    double cosM = std::sqrt(0.5);  // times sqrt 2 for m > 0: sqrt 2 cos(m phi)
+    double sinM = 0.0;
+    double diagonal = std::sqrt(0.25 / glsl::PI);  // P_m^m, normalised
+    for (int m = 0; m <= lastBand; ++m) {
+        if (m > 0) diagonal *= s * std::sqrt((2.0 * m + 1.0) / (2.0 * m));
+        double last = 0.0;
+        double p = diagonal;
+        for (int l = m; l <= lastBand; ++l) {
+            if (l > m) {
+                const double a = std::sqrt((4.0 * l * l - 1.0) / (double(l) * l - double(m) * m));
+                const double b = std::sqrt((double(l - 1) * (l - 1) - double(m) * m) / (4.0 * (l - 1) * (l - 1) - 1.0));
+                const double next = a * (d.z() * p - b * last);
+                last = p;
+                p = next;
+            }
+            result[l * (l + 1) + m] = p * cosM * std::sqrt(2.0);
+            if (m > 0) result[l * (l + 1) - m] = p * sinM * std::sqrt(2.0);
+        }
+        if (m == 0) cosM = 1.0;
+        const double c = m == 0 ? cosine : cosM * cosine - sinM * sine;
+        sinM = m == 0 ? sine : sinM * cosine + cosM * sine;
+        cosM = c;
+    }
 }
 
 const std::array<osg::Vec3d, 18>& RadianceMap::harmonics() const

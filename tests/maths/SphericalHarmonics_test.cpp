@@ -24,6 +24,37 @@ TEST(SphericalHarmonics, CosineBands)
     }
 }
 
+TEST(SphericalHarmonics, CosineBandsAbove)
+{
+    EXPECT_NEAR(osgEnvLight::cosineBand(6), pi / 64.0, 1e-15);
+    EXPECT_NEAR(osgEnvLight::cosineBand(8), -pi / 128.0, 1e-15);
+    for (int l : {3, 5, 7}) EXPECT_EQ(osgEnvLight::cosineBand(l), 0.0);
+}
+
+TEST(SphericalHarmonics, AllBands)
+{
+    // Orthonormal: by Gauss in z and trapezia in azimuth, exact for products of degree 16.
+    std::vector<std::vector<double>> gram(81, std::vector<double>(81, 0.0));
+    const Gauss g = gauss(12, -1.0, 1.0);
+    double y[81];
+    for (size_t i = 0; i < g.x.size(); ++i)
+        for (int k = 0; k < 24; ++k) {
+            const double s = std::sqrt(1.0 - g.x[i] * g.x[i]);
+            const double phi = 2.0 * pi * k / 24.0;
+            osgEnvLight::evaluateHarmonics(8, osg::Vec3d(s * std::cos(phi), s * std::sin(phi), g.x[i]), y);
+            for (size_t a = 0; a < 81; ++a)
+                for (size_t b = 0; b < 81; ++b) gram[a][b] += g.w[i] * 2.0 * pi / 24.0 * y[a] * y[b];
+        }
+    for (size_t a = 0; a < 81; ++a)
+        for (size_t b = 0; b < 81; ++b) EXPECT_NEAR(gram[a][b], a == b ? 1.0 : 0.0, 1e-12) << a << " " << b;
+    // The same signs and order as lib/sh.glsl, the poles included.
+    for (vec3 d : spiral(50)) {
+        if (d.z > 0.95) d = vec3(0, 0, 1);
+        osgEnvLight::evaluateHarmonics(8, osg::Vec3d(d.x, d.y, d.z), y);
+        for (int i = 0; i < 18; ++i) EXPECT_NEAR(y[i < 9 ? i : i + 7], glsl::shBasis18(i, d), 1e-13) << i;
+    }
+}
+
 TEST(SphericalHarmonics, BandOfACoefficient)
 {
     const int bands[18] = {0, 1, 1, 1, 2, 2, 2, 2, 2, 4, 4, 4, 4, 4, 4, 4, 4, 4};
