@@ -31,35 +31,53 @@ std::string describe(const osg::Image& image)
     return image.getFileName().empty() ? std::string("environment map") : "environment map '" + image.getFileName() + "'";
 }
 
-bool isEncoded(const osg::Image& image)
+// The image's texels, linear, y from the top. Slices are faces, whose first row is the top one.
+class Source
 {
-    return image.getDataType() == GL_UNSIGNED_BYTE;
-}
-
-// Texel x of row y from the top, linear.
-osg::Vec3d readTexel(const osg::Image& image, int x, int y)
-{
-    int t = image.getOrigin() == osg::Image::TOP_LEFT ? y : image.t() - 1 - y;
-    if (image.getDataType() == GL_FLOAT && (image.getPixelFormat() == GL_RGB || image.getPixelFormat() == GL_RGBA)) {
-        const float* p = reinterpret_cast<const float*>(image.data(unsigned(x), unsigned(t)));
-        return osg::Vec3d(p[0], p[1], p[2]);
+  public:
+    explicit Source(const osg::Image& image)
+        : _image(image),
+          _topFirst(image.r() > 1 || image.getOrigin() == osg::Image::TOP_LEFT),
+          _encoded(image.getDataType() == GL_UNSIGNED_BYTE),
+          _rowStep(image.getRowStepInBytes()),
+          _sliceStep(image.getImageStepInBytes())
+    {
+        if (image.getDataType() == GL_FLOAT && image.getPixelFormat() == GL_RGB) _floats = 3;
+        if (image.getDataType() == GL_FLOAT && image.getPixelFormat() == GL_RGBA) _floats = 4;
     }
-    osg::Vec3d c;
-    osg::Vec4 color = image.getColor(unsigned(x), unsigned(t));
-    for (int i = 0; i < 3; ++i)
-        c[i] = isEncoded(image) ? glsl::srgbDecode(double(color[unsigned(i)])) : double(color[unsigned(i)]);
-    return c;
-}
 
-std::string shapeError(const osg::Image& image)
+    bool hasSlices() const { return _image.r() > 1; }
+
+    osg::Vec3d texel(int x, int y, int slice) const
+    {
+        const int t = _topFirst ? y : _image.t() - 1 - y;
+        if (_floats > 0) {
+            // Not image.data(x, y), which works out the size of a pixel each time.
+            const unsigned char* row = _image.data() + size_t(slice) * _sliceStep + size_t(t) * _rowStep;
+            const float* p = reinterpret_cast<const float*>(row) + _floats * size_t(x);
+            return osg::Vec3d(p[0], p[1], p[2]);
+        }
+        osg::Vec3d c;
+        const osg::Vec4 color = _image.getColor(unsigned(x), unsigned(t), unsigned(slice));
+        for (int i = 0; i < 3; ++i) c[i] = _encoded ? glsl::srgbDecode(double(color[unsigned(i)])) : double(color[unsigned(i)]);
+        return c;
+    }
+
+  private:
+    const osg::Image& _image;
+    bool _topFirst;
+    bool _encoded;
+    size_t _rowStep;
+    size_t _sliceStep;
+    size_t _floats = 0;  // in a pixel that needs no conversion
+};
+
+// Makes layout AUTO what the image's shape means; "" or "is ..., expected ...", to follow the image's name.
+std::string shapeError(const osg::Image& image, MapLayout& layout)
 {
-    int w = image.s();
-    int h = image.t();
-    std::string size = std::to_string(w) + "x" + std::to_string(h);
-    if (w <= 0 || h <= 0 || !image.data()) return describe(image) + " is empty (" + size + ")";
-    if (w != 2 * h && w != 1 && h != 1)
-        return describe(image) + " is " + size + ", expected a latitude-longitude image, twice as wide as high";
-    return std::string();
+    if (image.s() <= 0 || image.t() <= 0 || !image.data())
+        return "is empty (" + std::to_string(image.s()) + "x" + std::to_string(image.t()) + ")";
+    return resolveMapLayout(layout, image.s(), image.t(), image.r());
 }
 
 // Where sanitising first found something.
@@ -78,22 +96,31 @@ std::string percent(double x)
     return out.str();
 }
 
-std::string texelName(int x, int y)
-{
-    return "pixel (" + std::to_string(x) + ", " + std::to_string(y) + ")";
-}
+struct Texel {
+    int x;
+    int y;
+    int slice;
+    bool ofSlices;
 
-void sanitise(osg::Vec3d& c, int x, int y, double solidAngle, RadianceMap& map, Findings& found)
+    std::string name() const
+    {
+        static const char* const faces[6] = {"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
+        return "pixel (" + std::to_string(x) + ", " + std::to_string(y) + ")" +
+               (ofSlices ? std::string(" of face ") + faces[slice] : std::string());
+    }
+};
+
+void sanitise(osg::Vec3d& c, const Texel& texel, double solidAngle, RadianceMap& map, Findings& found)
 {
     bool finite = std::isfinite(c[0]) && std::isfinite(c[1]) && std::isfinite(c[2]);
     if (!finite) {
-        if (map.notFinite++ == 0) found.firstNotFinite = texelName(x, y);
+        if (map.notFinite++ == 0) found.firstNotFinite = texel.name();
         for (int i = 0; i < 3; ++i)
             if (!std::isfinite(c[i])) c[i] = 0.0;
     }
     double most = std::min(std::min(c[0], c[1]), c[2]);
     if (most < 0.0) {
-        if (map.negative++ == 0) found.firstNegative = texelName(x, y);
+        if (map.negative++ == 0) found.firstNegative = texel.name();
         for (int i = 0; i < 3; ++i) {
             found.negativeFlux -= std::min(c[i], 0.0) * solidAngle;
             c[i] = std::max(c[i], 0.0);
@@ -101,29 +128,61 @@ void sanitise(osg::Vec3d& c, int x, int y, double solidAngle, RadianceMap& map, 
     }
 }
 
-osg::ref_ptr<RadianceMap> convert(const osg::Image& image, Findings& found)
+// Adds row y, from the top, to flux and maximum.
+void measureRow(RadianceMap& map, int y, double solidAngle)
+{
+    const float* texel = map.texel(0, y);
+    osg::Vec3d sum;
+    for (int x = 0; x < map.width; ++x)
+        for (int i = 0; i < 3; ++i, ++texel) {
+            sum[i] += double(*texel);
+            map.maximum = std::max(map.maximum, double(*texel));
+        }
+    map.flux += sum * solidAngle;
+}
+
+void readLatlong(const osg::Image& image, RadianceMap& map, Findings& found)
+{
+    const Source source(image);
+    for (int y = 0; y < map.height; ++y) {
+        const double solidAngle = glsl::latlongTexelSolidAngle(y, glsl::vec2(map.width, map.height));
+        float* out = reinterpret_cast<float*>(map.image->data(0, unsigned(map.height - 1 - y)));
+        for (int x = 0; x < map.width; ++x, out += 3) {
+            osg::Vec3d c = source.texel(x, y, 0);
+            sanitise(c, Texel{x, y, 0, false}, solidAngle, map, found);
+            for (int i = 0; i < 3; ++i) out[i] = float(c[i]);
+        }
+        measureRow(map, y, solidAngle);
+    }
+}
+
+void readLayout(const osg::Image& image, MapLayout layout, RadianceMap& map, Findings& found)
+{
+    const Source source(image);
+    const auto read = [&](int x, int y, int slice, double solidAngle) {
+        osg::Vec3d c = source.texel(x, y, slice);
+        sanitise(c, Texel{x, y, slice, source.hasSlices()}, solidAngle, map, found);
+        return c;
+    };
+    map.image = convertToLatlong(layout, image.s(), image.t(), read);
+    map.width = map.image->s();
+    map.height = map.image->t();
+    for (int y = 0; y < map.height; ++y) measureRow(map, y, glsl::latlongTexelSolidAngle(y, glsl::vec2(map.width, map.height)));
+}
+
+osg::ref_ptr<RadianceMap> convert(const osg::Image& image, MapLayout layout, Findings& found)
 {
     osg::ref_ptr<RadianceMap> map = new RadianceMap;
-    map->width = image.s();
-    map->height = image.t();
-    map->image = new osg::Image;
-    map->image->setFileName(image.getFileName());
-    map->image->allocateImage(map->width, map->height, 1, GL_RGB, GL_FLOAT);
-    for (int y = 0; y < map->height; ++y) {
-        double solidAngle = glsl::latlongTexelSolidAngle(y, glsl::vec2(map->width, map->height));
-        float* out = reinterpret_cast<float*>(map->image->data(0, unsigned(map->height - 1 - y)));
-        osg::Vec3d row;
-        for (int x = 0; x < map->width; ++x, out += 3) {
-            osg::Vec3d c = readTexel(image, x, y);
-            sanitise(c, x, y, solidAngle, *map, found);
-            row += c;
-            for (int i = 0; i < 3; ++i) {
-                out[i] = float(c[i]);
-                map->maximum = std::max(map->maximum, c[i]);
-            }
-        }
-        map->flux += row * solidAngle;
+    if (layout == MapLayout::LATLONG) {
+        map->width = image.s();
+        map->height = image.t();
+        map->image = new osg::Image;
+        map->image->allocateImage(map->width, map->height, 1, GL_RGB, GL_FLOAT);
+        readLatlong(image, *map, found);
+    } else {
+        readLayout(image, layout, *map, found);
     }
+    map->image->setFileName(image.getFileName());
     const osg::Vec3d luminance(0.2126, 0.7152, 0.0722);
     map->mean = luminance * map->flux / (4.0 * glsl::PI);
     double flux = map->flux[0] + map->flux[1] + map->flux[2];
@@ -176,6 +235,7 @@ EnvironmentMap::EnvironmentMap(const EnvironmentMap& other, const osg::CopyOp& c
       _image(copyop(other._image.get())),
       _rotation(other._rotation),
       _intensity(other._intensity),
+      _layout(other._layout),
       _strict(other._strict)
 {
 }
@@ -184,9 +244,14 @@ bool EnvironmentMap::load(const std::string& name, const osgDB::Options* options
 {
     std::string reason;
     osg::ref_ptr<osg::Image> image = readAny(name, options, reason);
-    if (image && !shapeError(*image).empty()) reason = shapeError(*image);
-    if (!reason.empty() || !image) {
+    if (!image) {
         error = "environment map '" + name + "': " + (reason.empty() ? "can't be read" : reason);
+        return false;
+    }
+    MapLayout layout = _layout;
+    reason = shapeError(*image, layout);
+    if (!reason.empty()) {
+        error = "environment map '" + name + "' " + reason;
         return false;
     }
     // A file is remembered by where it was found, so that a saved scene finds it again.
@@ -207,8 +272,8 @@ osg::ref_ptr<const RadianceMap> EnvironmentMap::radiance(std::string& error) con
 {
     std::lock_guard<std::mutex> lock(_mutex);
     const unsigned count = _image ? _image->getModifiedCount() : 0;
-    const bool current =
-        (_radiance || !_error.empty()) && _madeFrom == _image.get() && _madeAtCount == count && _madeStrict == _strict;
+    const bool current = (_radiance || !_error.empty()) && _madeFrom == _image.get() && _madeAtCount == count &&
+                         _madeLayout == _layout && _madeStrict == _strict;
     if (current) {
         error = _error;
         return _radiance;
@@ -216,11 +281,14 @@ osg::ref_ptr<const RadianceMap> EnvironmentMap::radiance(std::string& error) con
     osg::ref_ptr<osg::Image> image = _image ? _image : createBuiltinMap("sky");
     _madeFrom = _image.get();
     _madeAtCount = count;
+    _madeLayout = _layout;
     _madeStrict = _strict;
     _radiance = nullptr;
-    _error = shapeError(*image);
+    MapLayout layout = _image ? _layout : MapLayout::LATLONG;
+    _error = shapeError(*image, layout);
+    if (!_error.empty()) _error = describe(*image) + " " + _error;
     Findings found;
-    osg::ref_ptr<RadianceMap> map = _error.empty() ? convert(*image, found) : nullptr;
+    osg::ref_ptr<RadianceMap> map = _error.empty() ? convert(*image, layout, found) : nullptr;
     if (map && (map->notFinite > 0 || map->negativeShare > negativeTolerance)) {
         std::string report = describe(*image) + ":";
         if (map->notFinite > 0)

@@ -58,7 +58,7 @@ TEST(EnvironmentMap, SmallAndThin)
 
 TEST(EnvironmentMap, OtherShapesAreRefused)
 {
-    for (auto [w, h] : {std::pair(3, 2), std::pair(4, 3), std::pair(8, 8), std::pair(2, 4)}) {
+    for (auto [w, h] : {std::pair(3, 2), std::pair(5, 3), std::pair(2, 4)}) {
         osg::ref_ptr<EnvironmentMap> map = new EnvironmentMap(constant(w, h).get());
         std::string error;
         EXPECT_FALSE(map->radiance(error));
