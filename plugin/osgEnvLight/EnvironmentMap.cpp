@@ -209,17 +209,50 @@ osg::ref_ptr<osg::Image> readHdr(const std::string& name, const osgDB::Options* 
     return image;
 }
 
-osg::ref_ptr<osg::Image> readAny(const std::string& name, const osgDB::Options* options, std::string& error)
+// Of a DDS or KTX file's header: whether it is a cube map. OSG's readers give one of its faces, or nothing.
+bool isCubeMap(const std::string& path, const std::string& extension)
 {
-    if (isBuiltin(name)) return createBuiltinMap(name);
+    unsigned char header[140] = {};
+    osgDB::ifstream in(path.c_str(), std::ios::binary);
+    in.read(reinterpret_cast<char*>(header), sizeof(header));
+    if (extension == "dds") {
+        const bool extended = std::equal(header + 84, header + 88, "DX10");
+        return (header[113] & 0x02) || (extended && (header[136] & 0x04));  // DDSCAPS2_CUBEMAP, MISC_TEXTURECUBE
+    }
+    return header[52] == 6 || header[55] == 6;  // numberOfFaces, in either order of the bytes
+}
+
+osg::ref_ptr<osg::Image> readTexture(const std::string& name, const osgDB::Options* options, std::string& error)
+{
     const std::string extension = osgDB::getLowerCaseFileExtension(name);
-    if (extension == "hdr" || extension == "pic") return readHdr(name, options, error);
+    const bool isDds = extension == "dds";
+    if ((isDds || extension == "ktx") && isCubeMap(osgDB::findDataFile(name, options), extension)) {
+        error = "a cube map, of which OpenSceneGraph's " + extension +
+                " plugin does not read the six faces; store them as a strip or cross, or as six slices";
+        return nullptr;
+    }
     osgDB::ReaderWriter::ReadResult result = osgDB::Registry::instance()->readImage(name, options);
     if (!result.validImage()) {
         error = readMessage(result, name);
         return nullptr;
     }
-    return result.getImage();
+    // The plugin leaves DDS's first row, the top one, first, without saying so, or turns all slices over.
+    const bool flipped = options && options->getOptionString().find("dds_flip") != std::string::npos;
+    osg::ref_ptr<osg::Image> image = result.getImage();
+    if (isDds && !flipped) image->setOrigin(osg::Image::TOP_LEFT);
+    if (isDds && flipped && image->r() > 1) {
+        image = new osg::Image(*image, osg::CopyOp::DEEP_COPY_ALL);  // it may be in osgDB's cache
+        image->flipVertical();
+    }
+    return image;
+}
+
+osg::ref_ptr<osg::Image> readAny(const std::string& name, const osgDB::Options* options, std::string& error)
+{
+    if (isBuiltin(name)) return createBuiltinMap(name);
+    const std::string extension = osgDB::getLowerCaseFileExtension(name);
+    if (extension == "hdr" || extension == "pic") return readHdr(name, options, error);
+    return readTexture(name, options, error);
 }
 
 }  // namespace

@@ -149,8 +149,10 @@ MaterialDescription readMaterial(const Value& v, const std::string& name)
 
 void readEnvironment(const Value& v, SceneDescription& scene)
 {
-    v.object({"map", "rotation", "intensity", "strict"}, "an object with map");
+    v.object({"map", "layout", "rotation", "intensity", "strict"}, "an object with map");
     if (v.has("map")) scene.map = v["map"].string();
+    if (v.has("layout") && !mapLayoutFromName(v["layout"].string(), scene.layout))
+        v["layout"].fail("one of " + mapLayoutChoices());
     if (v.has("rotation")) scene.rotation = v["rotation"].number(-1e6, 1e6, "an angle in degrees");
     if (v.has("intensity")) scene.intensity = v["intensity"].number(0, 1e12, "a factor in 0..1e12");
     if (v.has("strict")) scene.strict = v["strict"].boolean();
@@ -344,6 +346,7 @@ try {
     lit->accept(visitor);
     checkMaterials(visitor, fileName);
     EnvironmentMap& environment = *lit->getEnvironmentMap();
+    environment.setLayout(layout);
     environment.setStrict(strict);
     environment.setRotation(rotation);
     environment.setIntensity(intensity);

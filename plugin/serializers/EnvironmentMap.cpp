@@ -55,6 +55,12 @@ bool readImage(osgDB::InputStream& is, EnvironmentMap& map)
 REGISTER_OBJECT_WRAPPER(osgEnvLight_EnvironmentMap, new osgEnvLight::EnvironmentMap, osgEnvLight::EnvironmentMap,
                         "osg::Object osgEnvLight::EnvironmentMap")
 {
+    // Before the map, whose shape it explains.
+    using Layout = osgDB::EnumSerializer<MyClass, osgEnvLight::MapLayout, void>;
+    const std::vector<std::string>& names = osgEnvLight::mapLayoutNames();
+    osg::ref_ptr<Layout> layout = new Layout("Layout", osgEnvLight::MapLayout::AUTO, &MyClass::getLayout, &MyClass::setLayout);
+    for (size_t i = 0; i < names.size(); ++i) layout->add(names[i].c_str(), osgEnvLight::MapLayout(i));
+    wrapper->addSerializer(layout.get(), osgDB::BaseSerializer::RW_ENUM);
     wrapper->addSerializer(new osgDB::UserSerializer<MyClass>("Map", checkMap, readMap, writeMap),
                            osgDB::BaseSerializer::RW_USER);
     wrapper->addSerializer(new osgDB::UserSerializer<MyClass>("Image", checkImage, readImage, writeImage),

@@ -33,6 +33,7 @@ struct Arguments {
     std::string scene;
     std::string output;
     std::string map;
+    std::string layout;
     std::optional<double> rotation;
     std::string cameraFile;
     std::vector<double> eye;
@@ -78,6 +79,11 @@ void applyOptions(const Arguments& a, osgEnvLight::LitScene& lit)
 {
     std::string error;
     osgEnvLight::EnvironmentMap& map = *lit.getEnvironmentMap();
+    // A scene's layout is that of its own map.
+    osgEnvLight::MapLayout layout = a.map.empty() ? map.getLayout() : osgEnvLight::MapLayout::AUTO;
+    if (!a.layout.empty() && !osgEnvLight::mapLayoutFromName(a.layout, layout))
+        throw BadArguments("--env-layout is '" + a.layout + "', expected one of " + osgEnvLight::mapLayoutChoices());
+    map.setLayout(layout);
     if (!a.map.empty() && !map.load(a.map, nullptr, error)) throw std::runtime_error(error);
     if (a.rotation) map.setRotation(*a.rotation);
     std::vector<std::string> settings = a.settings;
@@ -193,6 +199,8 @@ void addOptions(CLI::App& app, Arguments& a)
 {
     app.add_option("SCENE", a.scene, "a model, or a scene description (.envlight)")->required();
     app.add_option("--env", a.map, "environment map: a file, sky or studio");
+    app.add_option("--env-layout", a.layout,
+                   "layout of the map where its shape does not say it: " + osgEnvLight::mapLayoutChoices());
     app.add_option("--env-rotation", a.rotation, "degrees, counter-clockwise about +Z");
     app.add_option("--camera", a.cameraFile, "camera from a JSON file");
     app.add_option("--eye", a.eye, "x,y,z")->delimiter(',')->expected(3);

@@ -79,6 +79,7 @@ TEST_F(BadInput, Maps)
         {"truncated.hdr", hdr(4, 2, texel), {"truncated.hdr"}},
         {"nothing.hdr", hdr(0, 0, ""), {"nothing.hdr", "0"}},
         {"shape.hdr", hdr(3, 2, texel + texel + texel + texel + texel + texel), {"shape.hdr", "3x2", "twice as wide"}},
+        {"square.hdr", hdr(2, 2, texel + texel + texel + texel), {"square.hdr", "2x2", "angular", "octahedral"}},
         {"unknown.xyz", "?", {"unknown.xyz"}},
     };
     for (const Case& c : cases) {
@@ -110,6 +111,10 @@ TEST_F(BadInput, SceneDescriptions)
         {start + ", \"camera\": {\"eye\": [1, 2], \"target\": [0, 0, 0]}}", {"'camera.eye'", "three numbers"}},
         {start + ", \"camera\": {\"eye\": [1, 2, 3], \"target\": [1, 2, 3]}}", {"'camera'", "apart"}},
         {start + ", \"environment\": {\"map\": \"nowhere.exr\"}}", {"environment.map", "nowhere.exr"}},
+        {start + ", \"environment\": {\"layout\": \"cylinder\"}}",
+         {"'environment.layout'", "latlong", "mirror-ball", "cylinder"}},
+        {start + ", \"environment\": {\"layout\": 3}}", {"'environment.layout'", "string"}},
+        {start + ", \"environment\": {\"map\": \"sky\", \"layout\": \"strip\"}}", {"environment.map", "'sky'", "6NxN"}},
         {start + ", \"environment\": {\"intensity\": -1}}", {"'environment.intensity'", "-1"}},
         {start + ", \"settings\": {\"specularSamples\": 0}}", {"specularSamples", "1..1024"}},
         {start + ", \"settings\": {\"specularSample\": 4}}", {"specularSample", "specularSamples"}},
@@ -138,6 +143,7 @@ TEST_F(BadInput, Arguments)
     expectError(run({model, "--eye", "1,2,3"}), 2, {"--target"});
     expectError(run({model, "--eye", "1,2", "--target", "0,0,0"}), 2, {"--eye"});
     expectError(run({model, "--fovy", "200"}), 2, {"--fovy"});
+    expectError(run({model, "--env-layout", "cylinder"}), 2, {"--env-layout", "cylinder", "vertical-cross"});
     expectError(run({model, "--what"}), 2, {"--what"});
     expectError(run({folder.file("nowhere.obj")}), 1, {"nowhere.obj", "no such file"});
     expectError(run({model, "--camera", folder.file("nowhere.json")}), 1, {"nowhere.json"});
@@ -176,4 +182,9 @@ TEST_F(BadInput, OneByOneAndNanFilledMapsAreLegal)
 {
     folder.write("one.hdr", hdr(1, 1, std::string(4, '\x80')));
     EXPECT_EQ(0, run({model, "--env", folder.file("one.hdr")}).status);
+    EXPECT_EQ(0, run({model, "--env", folder.file("one.hdr"), "--env-layout", "mirror-ball"}).status);
+    folder.write("cross.hdr", hdr(3, 4, std::string(48, '\x80')));
+    EXPECT_EQ(0, run({model, "--env", folder.file("cross.hdr")}).status);
+    const std::string layout = "{\"model\": \"model.obj\", \"environment\": {\"map\": \"one.hdr\", \"layout\": \"octahedral\"}}";
+    EXPECT_EQ(0, run({folder.write("scene.envlight", layout)}).status);
 }

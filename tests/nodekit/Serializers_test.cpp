@@ -54,6 +54,7 @@ class Serializers : public testing::TestWithParam<const char*>
 TEST_P(Serializers, EveryPropertyComesBack)
 {
     osg::ref_ptr<LitScene> lit = makeScene();
+    lit->getEnvironmentMap()->setLayout(osgEnvLight::MapLayout::LATLONG);
     lit->getEnvironmentMap()->setStrict(true);
     for (const Settings::Property& p : Settings::table()) {
         // Another value than the default: the far end of the range, or the next choice.
@@ -66,6 +67,7 @@ TEST_P(Serializers, EveryPropertyComesBack)
     // OSG reads decimal text digit by digit: to 4 ulps
     EXPECT_DOUBLE_EQ(33.5, copy->getEnvironmentMap()->getRotation());
     EXPECT_DOUBLE_EQ(1.75, copy->getEnvironmentMap()->getIntensity());
+    EXPECT_EQ(osgEnvLight::MapLayout::LATLONG, copy->getEnvironmentMap()->getLayout());
     EXPECT_TRUE(copy->getEnvironmentMap()->getStrict());
     for (const Settings::Property& p : Settings::table())
         EXPECT_EQ(p.getString(*lit->getSettings()), p.getString(*copy->getSettings())) << p.name;
