@@ -101,9 +101,9 @@ void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
         PassInputs in;
         in.lights = plan.diffuseLights;
         if (plan.diffuseLights)
-            in.samplers.push_back({"diffuseLightMap", textures.diffuseLights(plan.diffuseLights)});
+            in.samplers.push_back({"diffuseLightMap", textures.diffuseLights()});
         else
-            in.defines.push_back("DIFFUSE_SH");
+            in.defines.push_back(plan.diffuseHarmonics == 9 ? "DIFFUSE_SH_9" : "DIFFUSE_SH_18");
         if (plan.surfaces.cookTorrance) {
             in.defines.push_back("HAS_COOK_TORRANCE");
             in.samplers.push_back({"albedoTable", albedoTable()});
@@ -162,8 +162,8 @@ DeferredTechnique::PassInputs DeferredTechnique::compositeInputs(Cull& c)
         samplers.push_back({"latlongMap", textures.latlong()});
     if (s.view != Settings::BEAUTY) defines.push_back("VIEW_TERM");
     if (s.view == Settings::LIGHT_LIST) {
-        in.lights = unsigned(s.diffuseLights);
-        samplers.push_back({"diffuseLightMap", textures.diffuseLights(in.lights)});
+        in.lights = unsigned(textures.diffuseList().size());
+        samplers.push_back({"diffuseLightMap", textures.diffuseLights()});
     }
     return in;
 }

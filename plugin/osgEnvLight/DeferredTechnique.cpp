@@ -7,6 +7,7 @@
 #include <osg/Notify>
 #include <osg/View>
 #include <osgUtil/CullVisitor>
+#include <osgViewer/View>
 
 #include <cmath>
 #include <stdexcept>
@@ -49,7 +50,7 @@ try {
 
     std::unique_lock<std::mutex> lock(_mutex);
     const osg::ref_ptr<const Settings> settings = currentSettings(node);
-    const osg::ref_ptr<MapTextures> textures = currentTextures(node);
+    const osg::ref_ptr<MapTextures> textures = currentTextures(node, *settings, cv);
     if (!textures) return false;
     ViewData& vd = view(cv, *host);
     vd.fit(int(viewport->width()), int(viewport->height()), textures.get());
@@ -80,9 +81,8 @@ try {
     fillGBuffer(c, node, cv, forward);
 
     lock.lock();
-    const bool measure =
-        settings->diffuse && settings->diffuseCarrier == Settings::AUTO && radianceScale > 0.0 && vd.plan.surfaces.deferred > 0;
-    const DiffuseCarrier carrier = measure ? textures->carrier(unsigned(settings->diffuseLights)) : DiffuseCarrier();
+    const bool needed = settings->diffuse && radianceScale > 0.0 && vd.plan.surfaces.deferred > 0;
+    const DiffuseCarrier carrier = needed ? textures->carrier() : DiffuseCarrier();
     vd.plan = Plan::make(*settings, vd.plan.surfaces, radianceScale <= 0.0, radius, carrier);
     addPasses(c, cv);
     addComposite(c, cv);
@@ -110,22 +110,58 @@ osg::ref_ptr<const Settings> DeferredTechnique::currentSettings(const LitScene& 
     return _settings;
 }
 
-osg::ref_ptr<MapTextures> DeferredTechnique::currentTextures(const LitScene& node)
+osg::ref_ptr<MapTextures> DeferredTechnique::currentTextures(const LitScene& node, const Settings& settings,
+                                                             osgUtil::CullVisitor& cv)
 {
-    std::string error;
     const EnvironmentMap& map = *node.getEnvironmentMap();
     if (!std::isfinite(map.getIntensity()) || map.getIntensity() < 0.0 || !std::isfinite(map.getRotation())) {
         reportOnce(
             "intensity and rotation of the environment map must be finite, intensity not negative; the scene is shown unlit");
         return nullptr;
     }
-    osg::ref_ptr<const RadianceMap> radiance = map.radiance(error);
-    if (!radiance) {
-        reportOnce(error + "; the scene is shown unlit");
-        return nullptr;
+    const unsigned frame = cv.getFrameStamp() ? cv.getFrameStamp()->getFrameNumber() : _checkedFrame + 1;
+    if (!_started || frame != _checkedFrame) {
+        _checkedFrame = frame;
+        regenerate(map.state(), settings);
+        osgViewer::View* view =
+            cv.getRenderInfo().getView() ? dynamic_cast<osgViewer::View*>(cv.getRenderInfo().getView()) : nullptr;
+        if (view && (_regenerator.busy() || (_textures && !_textures->settled()))) view->requestRedraw();
     }
-    if (!_textures || &_textures->map() != radiance.get()) _textures = new MapTextures(radiance.get());
+    if (_textures) _textures->use(MapOptions(settings));
     return _textures;
+}
+
+void DeferredTechnique::regenerate(const MapState& state, const Settings& settings)
+{
+    const unsigned framesUntilStill = 8;
+    MapRegenerator::Result result;
+    if (state != _state || !_started) {
+        // Nothing to go on from before the first frame, nor from a map that could not serve: no light is older than these.
+        const bool sameImage = _started && state.image == _state.image;
+        const bool now = !_textures || settings.regeneration == Settings::IMMEDIATE;
+        _state = state;
+        _started = true;
+        _stillFrames = 0;
+        MapTextures::Continuation former = _textures ? _textures->continuation(sameImage) : MapTextures::Continuation();
+        former.options = MapOptions(settings);
+        if (now)
+            accept(MapRegenerator::make(state, former));
+        else
+            _regenerator.post(state, former);
+    } else if (++_stillFrames >= framesUntilStill && _textures && !_textures->settled() && !_regenerator.busy()) {
+        _regenerator.postSettle(*_textures);
+    }
+    if (_regenerator.take(result)) accept(result);
+}
+
+void DeferredTechnique::accept(const MapRegenerator::Result& result)
+{
+    _textures = result.textures;
+    if (!result.textures) reportOnce(result.error + "; the scene is shown unlit");
+    if (result.textures && !result.textures->map().repairs.empty() && _repaired != _state.image) {
+        _repaired = _state.image;  // a video says it once
+        OSG_WARN << "osgEnvLight: " << result.textures->map().repairs << std::endl;
+    }
 }
 
 ViewData& DeferredTechnique::view(osgUtil::CullVisitor& cv, osgUtil::RenderStage& host)

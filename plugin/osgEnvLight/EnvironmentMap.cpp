@@ -301,40 +301,54 @@ void EnvironmentMap::setImage(osg::Image* image)
     _map = image ? image->getFileName() : "sky";
 }
 
+MapState MapState::copy() const
+{
+    MapState own = *this;
+    if (image) own.image = new osg::Image(*image, osg::CopyOp::DEEP_COPY_ALL);
+    return own;
+}
+
+osg::ref_ptr<const RadianceMap> MapState::read(std::string& error) const
+{
+    const osg::ref_ptr<const osg::Image> source = image ? image : osg::ref_ptr<const osg::Image>(createBuiltinMap("sky"));
+    MapLayout resolved = image ? layout : MapLayout::LATLONG;
+    error = shapeError(*source, resolved);
+    if (!error.empty()) {
+        error = describe(*source) + " " + error;
+        return nullptr;
+    }
+    Findings found;
+    osg::ref_ptr<RadianceMap> map = convert(*source, resolved, found);
+    if (map->notFinite == 0 && map->negativeShare <= negativeTolerance) return map;
+    map->repairs = describe(*source) + ":";
+    if (map->notFinite > 0)
+        map->repairs +=
+            " " + std::to_string(map->notFinite) + " texels are not finite, the first is " + found.firstNotFinite + ";";
+    if (map->negativeShare > negativeTolerance)
+        map->repairs += " " + std::to_string(map->negative) + " texels are negative (" + percent(map->negativeShare) +
+                        " of the flux), the first is " + found.firstNegative + ";";
+    if (strict) {
+        error = map->repairs + " refused, because strict is on";
+        return nullptr;
+    }
+    map->repairs += " set to 0";
+    return map;
+}
+
+MapState EnvironmentMap::state() const
+{
+    return {_image, _image ? _image->getModifiedCount() : 0, _layout, _strict};
+}
+
 osg::ref_ptr<const RadianceMap> EnvironmentMap::radiance(std::string& error) const
 {
     std::lock_guard<std::mutex> lock(_mutex);
-    const unsigned count = _image ? _image->getModifiedCount() : 0;
-    const bool current = (_radiance || !_error.empty()) && _madeFrom == _image.get() && _madeAtCount == count &&
-                         _madeLayout == _layout && _madeStrict == _strict;
-    if (current) {
-        error = _error;
-        return _radiance;
+    const MapState now = state();
+    if ((!_radiance && _error.empty()) || now != _madeFrom) {
+        _madeFrom = now;
+        _radiance = now.read(_error);
+        if (_radiance && !_radiance->repairs.empty()) OSG_WARN << "osgEnvLight: " << _radiance->repairs << std::endl;
     }
-    osg::ref_ptr<osg::Image> image = _image ? _image : createBuiltinMap("sky");
-    _madeFrom = _image.get();
-    _madeAtCount = count;
-    _madeLayout = _layout;
-    _madeStrict = _strict;
-    _radiance = nullptr;
-    MapLayout layout = _image ? _layout : MapLayout::LATLONG;
-    _error = shapeError(*image, layout);
-    if (!_error.empty()) _error = describe(*image) + " " + _error;
-    Findings found;
-    osg::ref_ptr<RadianceMap> map = _error.empty() ? convert(*image, layout, found) : nullptr;
-    if (map && (map->notFinite > 0 || map->negativeShare > negativeTolerance)) {
-        std::string report = describe(*image) + ":";
-        if (map->notFinite > 0)
-            report += " " + std::to_string(map->notFinite) + " texels are not finite, the first is " + found.firstNotFinite + ";";
-        if (map->negativeShare > negativeTolerance)
-            report += " " + std::to_string(map->negative) + " texels are negative (" + percent(map->negativeShare) +
-                      " of the flux), the first is " + found.firstNegative + ";";
-        if (_strict)
-            _error = report + " refused, because strict is on";
-        else
-            OSG_WARN << "osgEnvLight: " << report << " set to 0" << std::endl;
-    }
-    if (_error.empty()) _radiance = map;
     error = _error;
     return _radiance;
 }

@@ -65,14 +65,14 @@ class Divider
         (alongU ? b.u0 : b.v0) = x;
         a.light = a.deciding = _table.region(a.u0, a.v0, a.u1, a.v1);
         b.light -= a.light;
-        b.light.flux = std::max(b.light.flux, 0.0);
+        if (_table.isDark(b.light)) b.light = Moments();
         if (_table.hasFloor()) {
             const Moments f = _table.floorRegion(a.u0, a.v0, a.u1, a.v1);
             a.deciding.flux += f.flux;
             a.deciding.vector += f.vector;
         }
         b.deciding -= a.deciding;
-        b.deciding.flux = std::max(b.deciding.flux, 0.0);
+        if (_table.isDark(b.deciding)) b.deciding = Moments();
         return {a, b};
     }
 
@@ -160,10 +160,11 @@ double spread(const Moments& m)
 
 DirectionalLight regionLight(const LightRegion& r, const MomentTable& table)
 {
-    const bool lit = r.light.flux > 0.0 && r.light.vector.length() > 1e-12 * r.light.flux;
-    osg::Vec3d d = lit ? r.light.vector : table.direction(0.5 * (r.u0 + r.u1), 0.5 * (r.v0 + r.v1));
+    const Moments& m = r.light.flux > 0.0 ? r.light : r.deciding;
+    osg::Vec3d d =
+        m.vector.length() > 1e-12 * m.flux ? m.vector : table.direction(0.5 * (r.u0 + r.u1), 0.5 * (r.v0 + r.v1));
     d.normalize();
-    // Differences of the table go to -1e-16 of the total beside bright areas.
+    // A channel that the region lacks may come out slightly negative beside areas bright in it.
     return {d, osg::Vec3d(std::max(r.light.rgb[0], 0.0), std::max(r.light.rgb[1], 0.0), std::max(r.light.rgb[2], 0.0))};
 }
 

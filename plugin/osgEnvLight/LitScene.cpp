@@ -15,6 +15,7 @@ LitScene::LitScene(osg::Image* image)
 {
     setCullingActive(false);  // the background shows where the bound does not
     setNumChildrenRequiringEventTraversal(getNumChildrenRequiringEventTraversal() + 1);
+    setNumChildrenRequiringUpdateTraversal(getNumChildrenRequiringUpdateTraversal() + 1);
 }
 
 LitScene::LitScene(const LitScene& other, const osg::CopyOp& copyop)
@@ -27,6 +28,7 @@ LitScene::LitScene(const LitScene& other, const osg::CopyOp& copyop)
 {
     setCullingActive(false);
     setNumChildrenRequiringEventTraversal(getNumChildrenRequiringEventTraversal() + 1);
+    setNumChildrenRequiringUpdateTraversal(getNumChildrenRequiringUpdateTraversal() + 1);
 }
 
 LitScene::~LitScene() = default;
@@ -47,6 +49,9 @@ void LitScene::traverse(osg::NodeVisitor& nv)
         osgUtil::CullVisitor* cv = nv.asCullVisitor();
         if (cv && _technique->cull(*this, *cv)) return;
     }
+    // A sequence of images goes on by this call; of a texture in the graph, OSG would make it.
+    osg::Image* image = _map->getImage();
+    if (nv.getVisitorType() == osg::NodeVisitor::UPDATE_VISITOR && image && image->requiresUpdateCall()) image->update(&nv);
     if (nv.getVisitorType() == osg::NodeVisitor::EVENT_VISITOR && nv.asEventVisitor()) {
         if (_homeView && !_homeGiven) goHome(*nv.asEventVisitor());
         handleEvents(*nv.asEventVisitor());

@@ -149,7 +149,14 @@ Moments MomentTable::region(double u0, double v0, double u1, double v1) const
     at(u1, v0, -1.0, sum);
     at(u0, v0, 1.0, sum);
     const double* s = sum.value;
-    return {std::max(s[0], 0.0), osg::Vec3d(s[1], s[2], s[3]), osg::Vec3d(s[4], s[5], s[6])};
+    const Moments m = {s[0], osg::Vec3d(s[1], s[2], s[3]), osg::Vec3d(s[4], s[5], s[6])};
+    return isDark(m) ? Moments() : m;
+}
+
+// Differences of the sums have the rounding of the brightest area: a few 1e-16 of the total.
+bool MomentTable::isDark(const Moments& m) const
+{
+    return m.flux <= 1e-14 * cell(_width, _height).value[0];
 }
 
 Moments MomentTable::floorRegion(double u0, double v0, double u1, double v1) const

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgEnvLight/Plan>
 
-#include <iomanip>
-#include <locale>
 #include <sstream>
 
 namespace osgEnvLight
@@ -31,23 +29,6 @@ std::string count(unsigned n, const char* what)
     return std::to_string(n) + " " + what;
 }
 
-std::string percent(double x)
-{
-    std::ostringstream out;
-    out.imbue(std::locale::classic());
-    out << std::fixed << std::setprecision(2) << 100.0 * x << " %";
-    return out.str();
-}
-
-// The carrier's name, and with auto the errors that chose it.
-std::string describe(const Plan& plan, const DiffuseCarrier& carrier)
-{
-    const std::string name = plan.diffuseLights ? count(plan.diffuseLights, "lights") : "18 spherical harmonics";
-    if (carrier.lightsError < 0.0) return name;
-    return name + " (the harmonics err by " + percent(carrier.harmonicsError) + " on this map, the lights by " +
-           percent(carrier.lightsError) + ")";
-}
-
 }  // namespace
 
 Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack, double sceneRadius,
@@ -60,9 +41,9 @@ Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack
     Decision diffuse;
     diffuse.unless(!s.diffuse, "switched off").unless(mapIsBlack, "the map is black").unless(empty, "nothing to light");
     plan.diffuse = diffuse.runs;
-    const bool harmonics = s.diffuseCarrier == Settings::SH || (s.diffuseCarrier == Settings::AUTO && carrier.harmonics);
-    plan.diffuseLights = diffuse.runs && !harmonics ? unsigned(s.diffuseLights) : 0;
-    if (diffuse.runs) diffuse.reason = describe(plan, carrier);
+    plan.diffuseHarmonics = diffuse.runs ? carrier.harmonics : 0;
+    plan.diffuseLights = diffuse.runs ? carrier.lights : 0;
+    if (diffuse.runs) diffuse.reason = carrier.describe();
 
     Decision specular;
     specular.unless(!s.specular, "switched off").unless(mapIsBlack, "the map is black").unless(empty, "nothing to light");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgEnvLight/Settings>
 
+#include <osgEnvLight/LightSampler>
+
 #include <charconv>
 #include <cmath>
 #include <locale>
@@ -83,9 +85,24 @@ const std::vector<Settings::Property>& Settings::table()
         onOff("diffuse", &S::diffuse, "the term D: diffuse reflection of the map"),
         onOff("specular", &S::specular, "the term S: glossy reflection of the map"),
         onOff("occlusion", &S::occlusion, "the term O: what the scene itself keeps from D"),
-        choice("diffuseCarrier", &S::diffuseCarrier, {"auto", "sh", "lights"},
-               "what D sums: 18 spherical harmonics of the map, or diffuseLights of its lights; auto measures both on the map"),
-        number("diffuseLights", &S::diffuseLights, 1, 65536, "lights", "importance-sampled lights of the map for D"),
+        choice("lightSampler", &S::lightSampler, LightSampler::names(), "how the map is made into lights (LightSampler)"),
+        choice("lightWeights", &S::lightWeights, {"auto", "off", "on"},
+               "reweighting of the lights by the map's spherical harmonics; auto: after split and auto"),
+        real("lightFloor", &S::lightFloor, 0, 100, "means of the map",
+             "radiance added to the map where lights are placed, so that dark parts have some; their flux stays true"),
+        choice("lightDeal", &S::lightDeal, {"moments", "random"},
+               "how lights are dealt to the 16 groups of O: each a good sample of the map, or shuffled"),
+        choice("suns", &S::suns, {"off", "auto"},
+               "cut suns and lamps out of the map and shade them as discs; they cast no shadows yet"),
+        choice("regeneration", &S::regeneration, {"background", "immediate"},
+               "a changed map becomes light on a thread of its own, visible when ready; or within the frame that sees it"),
+        choice(
+            "diffuseCarrier", &S::diffuseCarrier, {"auto", "sh", "lights"},
+            "what D sums: 18 spherical harmonics of the map, diffuseLights of its lights, or the cheapest within diffuseError"),
+        real("diffuseError", &S::diffuseError, 0, 100, "percent",
+             "RMS error of D that diffuseCarrier = auto allows; where nothing keeps it, the most exact is taken"),
+        number("diffuseLights", &S::diffuseLights, 1, 65536, "lights",
+               "importance-sampled lights of the map for D; with diffuseCarrier = auto, at most"),
         number("specularSamples", &S::specularSamples, 1, 1024, "samples per pixel", "directions sampled from the BRDF for S"),
         number("occlusionLights", &S::occlusionLights, 16, 65536, "lights",
                "lights whose visibility O tests, a sixteenth of them in each pixel; rounded up to a multiple of 16"),

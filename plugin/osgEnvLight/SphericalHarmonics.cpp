@@ -68,6 +68,24 @@ std::array<osg::Vec3d, 18> project(const RadianceMap& map)
     return result;
 }
 
+// P_l^m from the two bands below: a (z P_(l-1)^m - b P_(l-2)^m), normalised.
+struct Recursion {
+    double a[9][9];
+    double b[9][9];
+    double diagonal[9];
+
+    Recursion()
+    {
+        for (int m = 0; m <= 8; ++m) {
+            diagonal[m] = m > 0 ? std::sqrt((2.0 * m + 1.0) / (2.0 * m)) : std::sqrt(0.25 / glsl::PI);
+            for (int l = m + 1; l <= 8; ++l) {
+                a[l][m] = std::sqrt((4.0 * l * l - 1.0) / (double(l) * l - double(m) * m));
+                b[l][m] = std::sqrt((double(l - 1) * (l - 1) - double(m) * m) / (4.0 * (l - 1) * (l - 1) - 1.0));
+            }
+        }
+    }
+};
+
 }  // namespace
 
 int harmonicBand(int i)
@@ -87,28 +105,27 @@ double cosineBand(int l)
 
 void evaluateHarmonics(int lastBand, const osg::Vec3d& d, double* result)
 {
+    static const Recursion r;
+    const double root2 = std::sqrt(2.0);
     const double s = std::sqrt(d.x() * d.x() + d.y() * d.y());
     const double cosine = s > 1e-15 ? d.x() / s : 1.0;
     const double sine = s > 1e-15 ? d.y() / s : 0.0;
-    double cosM = std::sqrt(0.5);  // times sqrt 2 for m > 0: sqrt 2 cos(m phi)
+    double cosM = std::sqrt(0.5);  // makes 1 of the factor sqrt 2 that m > 0 has
     double sinM = 0.0;
-    double diagonal = std::sqrt(0.25 / glsl::PI);  // P_m^m, normalised
+    double diagonal = 1.0;
     for (int m = 0; m <= lastBand; ++m) {
-        if (m > 0) diagonal *= s * std::sqrt((2.0 * m + 1.0) / (2.0 * m));
+        diagonal *= m > 0 ? s * r.diagonal[m] : r.diagonal[0];
         double last = 0.0;
         double p = diagonal;
         for (int l = m; l <= lastBand; ++l) {
             if (l > m) {
-                const double a = std::sqrt((4.0 * l * l - 1.0) / (double(l) * l - double(m) * m));
-                const double b = std::sqrt((double(l - 1) * (l - 1) - double(m) * m) / (4.0 * (l - 1) * (l - 1) - 1.0));
-                const double next = a * (d.z() * p - b * last);
+                const double next = r.a[l][m] * (d.z() * p - r.b[l][m] * last);
                 last = p;
                 p = next;
             }
-            result[l * (l + 1) + m] = p * cosM * std::sqrt(2.0);
-            if (m > 0) result[l * (l + 1) - m] = p * sinM * std::sqrt(2.0);
+            result[l * (l + 1) + m] = p * cosM * root2;
+            if (m > 0) result[l * (l + 1) - m] = p * sinM * root2;
         }
-        if (m == 0) cosM = 1.0;
         const double c = m == 0 ? cosine : cosM * cosine - sinM * sine;
         sinM = m == 0 ? sine : sinM * cosine + cosM * sine;
         cosM = c;

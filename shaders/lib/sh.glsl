@@ -42,4 +42,12 @@ vec3 shIrradiance(vec3 c[18], vec3 n)
     return max(sum, vec3(0.0));
 }
 
+// The same from bands 0 to 2 alone.
+vec3 shIrradiance9(vec3 c[18], vec3 n)
+{
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < 9; ++i) sum += c[i] * shBasis18(i, n);
+    return max(sum, vec3(0.0));
+}
+
 #endif

@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: MIT
 // D: the diffuse term without occlusion, rho/pi times the integral of L cos [seed 000, eq. 3, second term], from
 // spherical harmonics of the map or from its importance-sampled lights. Radiance in units of the map's mean.
-#pragma import_defines(DIFFUSE_SH, HAS_COOK_TORRANCE)
+#pragma import_defines(DIFFUSE_SH_9, DIFFUSE_SH_18, HAS_COOK_TORRANCE)
 
 #include "lib/constants.glsl"
 #include "lib/sh.glsl"
 #include "pass/gbuffer.glsl"
 #include "pass/albedo.glsl"
 
-#ifdef DIFFUSE_SH
+#if defined(DIFFUSE_SH_9) || defined(DIFFUSE_SH_18)
+#define DIFFUSE_SH
 uniform vec3 shCoefficients[18];
 #else
 uniform sampler2D diffuseLightMap; // rows 2q, 2q + 1: direction and flux
@@ -20,7 +21,11 @@ layout(location = 0) out vec4 diffuse;
 vec3 irradianceOverPi(vec3 n)
 {
 #ifdef DIFFUSE_SH
+#ifdef DIFFUSE_SH_9
+    return shIrradiance9(shCoefficients, n);
+#else
     return shIrradiance(shCoefficients, n);
+#endif
 #else
     vec3 sum = vec3(0.0);
     ivec2 size = textureSize(diffuseLightMap, 0);

@@ -81,8 +81,8 @@ void everything(benchmark::State& state)
         image->dirty();
         osg::ref_ptr<const RadianceMap> radiance = map->radiance(error);
         osg::ref_ptr<MapTextures> textures = new MapTextures(radiance.get());
-        textures->carrier(128);
-        textures->diffuseLights(128);
+        textures->carrier();
+        textures->diffuseLights();
         textures->occlusionLights(1024);
         textures->pyramid();
         textures->latlong();

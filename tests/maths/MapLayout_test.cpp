@@ -141,7 +141,7 @@ TEST(MapLayout, SixDirectionsLightAlikeInEveryLayout)
 {
     const auto latlong = testmaths::radianceOf(makeMap(256, 128, sixColours));
     const std::vector<vec3> expected = irradiance(*latlong, axes);
-    const osg::ref_ptr<osgEnvLight::SplitSampler> sampler = new osgEnvLight::SplitSampler;
+    const auto sampler = osgEnvLight::LightSampler::create("split");
     const std::vector<vec3> byLights = irradianceOf(sampler->sample(*latlong, 64));
     for (const LaidOut& l : allLayouts(64)) {
         SCOPED_TRACE(l);

@@ -218,6 +218,7 @@ TEST(Host, AMapThatChangesIsSeenAtTheNextFrame)
     SceneRenderer renderer(48, 48);
     osg::ref_ptr<osg::Image> map = constantMap(1.0);
     osg::ref_ptr<LitScene> lit = makeLit(map.get());
+    lit->getSettings()->regeneration = osgEnvLight::Settings::IMMEDIATE;
     lit->addChild(makeSphere(osg::Vec3d(), 1.0));
     osgEnvLight::Material::setLambert(*lit->getChild(0)->getOrCreateStateSet(), osg::Vec3f(1, 1, 1));
     EXPECT_NEAR(renderer.render(lit, 2).color(24, 24)[0], 1.0, 0.005);

@@ -50,21 +50,59 @@ void placeBoxes(Receiver& r, Random& random)
     }
 }
 
+// One row of the map, so laid out that a compiler can take several texels at a time. In single precision: a sum of a row's
+// few hundred positive terms is good to 1e-6, a thousandth of the errors that are judged.
+struct Row {
+    std::vector<float> x, y, z, r, g, b;
+
+    Row(const RadianceMap& map, int row)
+    {
+        for (std::vector<float>* v : {&x, &y, &z, &r, &g, &b}) v->resize(size_t(map.width));
+        for (size_t i = 0; i < x.size(); ++i) {
+            const vec3 d = texelDirection(int(i), row, map.width, map.height);
+            const float* t = map.texel(int(i), row);
+            x[i] = float(d.x);
+            y[i] = float(d.y);
+            z[i] = float(d.z);
+            r[i] = t[0];
+            g[i] = t[1];
+            b[i] = t[2];
+        }
+    }
+
+    vec3 unoccluded(const vec3& normal) const
+    {
+        const float nx = float(normal.x), ny = float(normal.y), nz = float(normal.z);
+        float sums[3][8] = {};
+        size_t i = 0;
+        for (; i + 8 <= x.size(); i += 8)
+            for (size_t k = 0; k < 8; ++k) {
+                const float c = std::max(nx * x[i + k] + ny * y[i + k] + nz * z[i + k], 0.0f);
+                sums[0][k] += c * r[i + k];
+                sums[1][k] += c * g[i + k];
+                sums[2][k] += c * b[i + k];
+            }
+        vec3 sum(0.0);
+        for (size_t k = 0; k < 8; ++k) sum += vec3(double(sums[0][k]), double(sums[1][k]), double(sums[2][k]));
+        for (; i < x.size(); ++i) sum += vec3(r[i], g[i], b[i]) * double(std::max(nx * x[i] + ny * y[i] + nz * z[i], 0.0f));
+        return sum;
+    }
+};
+
 std::vector<vec3> truth(const RadianceMap& map, const std::vector<Receiver>& receivers)
 {
-    std::vector<vec3> directions(size_t(map.width));
     std::vector<vec3> result(receivers.size(), vec3(0.0));
     for (int y = 0; y < map.height; ++y) {
         const double solidAngle = texelSolidAngle(y, map.width, map.height);
-        for (int x = 0; x < map.width; ++x) directions[size_t(x)] = texelDirection(x, y, map.width, map.height);
+        const Row row(map, y);
         for (size_t i = 0; i < receivers.size(); ++i) {
-            vec3 row(0.0);
-            for (int x = 0; x < map.width; ++x) {
-                const double c = receivers[i].cosine(directions[size_t(x)]);
-                const float* t = map.texel(x, y);
-                if (c > 0.0) row += vec3(t[0], t[1], t[2]) * c;
-            }
-            result[i] += row * solidAngle;
+            vec3 sum(0.0);
+            if (receivers[i].kind == Receiver::FREE)
+                sum = row.unoccluded(receivers[i].normal);
+            else
+                for (size_t x = 0; x < row.x.size(); ++x)
+                    sum += vec3(row.r[x], row.g[x], row.b[x]) * receivers[i].cosine(vec3(row.x[x], row.y[x], row.z[x]));
+            result[i] += sum * solidAngle;
         }
     }
     return result;

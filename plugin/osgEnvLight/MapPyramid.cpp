@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include <osgEnvLight/MapPyramid>
+
+#include <algorithm>
+#include <cmath>
+
+#include "glsl.h"
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+const unsigned smallestLevel = 4;  // side of the last level
+
+struct Rgb {
+    float r, g, b;
+};
+
+// A level of the pyramid while it is made: texels and their solid angles.
+struct Level {
+    unsigned side;
+    std::vector<Rgb> radiance;
+    std::vector<float> solidAngle;
+
+    explicit Level(unsigned s) : side(s), radiance(size_t(s) * s), solidAngle(size_t(s) * s) {}
+    size_t index(unsigned x, unsigned y) const { return size_t(y) * side + x; }
+};
+
+// The map read bilinearly.
+class BilinearMap
+{
+  public:
+    explicit BilinearMap(const RadianceMap& map) : _map(map) {}
+
+    void add(const osg::Vec2d& uv, float share, Rgb& sum) const
+    {
+        double x = uv.x() * _map.width - 0.5;
+        if (x < 0.0) x += _map.width;
+        if (x >= _map.width) x -= _map.width;
+        const double y = std::clamp(uv.y() * _map.height - 0.5, 0.0, double(_map.height - 1));
+        const int x0 = std::min(int(x), _map.width - 1);
+        const int x1 = x0 + 1 == _map.width ? 0 : x0 + 1;
+        const int y0 = int(y);
+        const int y1 = std::min(y0 + 1, _map.height - 1);
+        const float a = float(x - x0);
+        const float b = float(y - y0);
+        const float w00 = (1 - a) * (1 - b) * share;
+        const float w10 = a * (1 - b) * share;
+        const float w01 = (1 - a) * b * share;
+        const float w11 = a * b * share;
+        const float* t00 = _map.texel(x0, y0);
+        const float* t10 = _map.texel(x1, y0);
+        const float* t01 = _map.texel(x0, y1);
+        const float* t11 = _map.texel(x1, y1);
+        sum.r += w00 * t00[0] + w10 * t10[0] + w01 * t01[0] + w11 * t11[0];
+        sum.g += w00 * t00[1] + w10 * t10[1] + w01 * t01[1] + w11 * t11[1];
+        sum.b += w00 * t00[2] + w10 * t10[2] + w01 * t01[2] + w11 * t11[2];
+    }
+
+  private:
+    const RadianceMap& _map;
+};
+
+osg::Vec2d exactCoordinates(double s, double t, unsigned side)
+{
+    const glsl::vec2 uv = glsl::latlongFromDirection(glsl::directionFromOctahedral(glsl::vec2(s, t) / double(side)));
+    return osg::Vec2d(uv.x, uv.y);
+}
+
+// The mapping has a kink where a face of the octahedron ends: on the axes and on the equator's diamond.
+bool onOneFace(unsigned x, unsigned y, unsigned side)
+{
+    const int half = int(side) / 2;
+    const int i = std::abs(2 * int(x) + 1 - int(side)) / 2;
+    const int j = std::abs(2 * int(y) + 1 - int(side)) / 2;
+    return i + j + 1 != half && i + j + 2 != half && i + j != half;
+}
+
+// The map's coordinates over one texel: exact at its corners and linear between them, which spares an arc tangent for each
+// look-up; exact everywhere in the texels that hold a pole or straddle the fold or the seam.
+class TexelCoordinates
+{
+  public:
+    TexelCoordinates(const OctahedralGrid& grid, unsigned x, unsigned y)
+        : _x(x),
+          _y(y),
+          _side(grid.side()),
+          _corner{grid.corner(x, y), grid.corner(x + 1, y), grid.corner(x, y + 1), grid.corner(x + 1, y + 1)}
+    {
+        const auto [low, high] = std::minmax({_corner[0].x(), _corner[1].x(), _corner[2].x(), _corner[3].x()});
+        _linear = high - low < 0.02 && onOneFace(x, y, _side);
+    }
+
+    osg::Vec2d at(double s, double t) const
+    {
+        if (!_linear) return exactCoordinates(_x + s, _y + t, _side);
+        return (_corner[0] * (1 - s) + _corner[1] * s) * (1 - t) + (_corner[2] * (1 - s) + _corner[3] * s) * t;
+    }
+
+  private:
+    unsigned _x;
+    unsigned _y;
+    unsigned _side;
+    osg::Vec2d _corner[4];
+    bool _linear;
+};
+
+// Level 0: each texel averages as many look-ups as it covers texels of the map, at least 3 x 3. Solid angle changes by less
+// than 3 / side over a texel and evenly: one weight for all of them is right to second order.
+Level baseLevel(const RadianceMap& map, const OctahedralGrid& grid)
+{
+    Level level(grid.side());
+    const BilinearMap bilinear(map);
+    const unsigned sub = std::max(3u, unsigned(map.width) / level.side);
+    const float share = 1.0f / float(sub * sub);
+    for (unsigned y = 0; y < level.side; ++y)
+        for (unsigned x = 0; x < level.side; ++x) {
+            const TexelCoordinates texel(grid, x, y);
+            Rgb sum{0.0f, 0.0f, 0.0f};
+            for (unsigned j = 0; j < sub; ++j)
+                for (unsigned i = 0; i < sub; ++i) bilinear.add(texel.at((i + 0.5) / sub, (j + 0.5) / sub), share, sum);
+            level.radiance[level.index(x, y)] = sum;
+            level.solidAngle[level.index(x, y)] =
+                float(glsl::octahedralSolidAngleDensity((glsl::vec2(x, y) + 0.5) / double(level.side)));
+        }
+    return level;
+}
+
+Level nextLevel(const Level& fine)
+{
+    Level level(fine.side / 2);
+    for (unsigned y = 0; y < level.side; ++y)
+        for (unsigned x = 0; x < level.side; ++x) {
+            const size_t first[2] = {fine.index(2 * x, 2 * y), fine.index(2 * x, 2 * y + 1)};
+            const float* w[2] = {&fine.solidAngle[first[0]], &fine.solidAngle[first[1]]};
+            const float weight = w[0][0] + w[0][1] + w[1][0] + w[1][1];
+            Rgb sum{0.0f, 0.0f, 0.0f};
+            for (unsigned k = 0; k < 4; ++k) {
+                const Rgb& c = fine.radiance[first[k >> 1] + (k & 1)];
+                const float share = w[k >> 1][k & 1] / weight;  // first: radiance may be near the largest float
+                sum.r += c.r * share;
+                sum.g += c.g * share;
+                sum.b += c.b * share;
+            }
+            level.radiance[level.index(x, y)] = sum;
+            level.solidAngle[level.index(x, y)] = weight;
+        }
+    return level;
+}
+
+// The level into the atlas with its border: over an edge of the octahedral square lies the same edge, turned round.
+void store(const Level& level, unsigned number, unsigned baseSide, double scale, osg::Image& atlas)
+{
+    const glsl::vec2 corner = glsl::pyramidLevelCorner(baseSide, number);
+    const int s = int(level.side);
+    for (int y = -1; y <= s; ++y) {
+        float* out = reinterpret_cast<float*>(atlas.data(unsigned(int(corner.x)), unsigned(int(corner.y) + y + 1)));
+        for (int x = -1; x <= s; ++x, out += 3) {
+            const bool overX = x < 0 || x >= s;
+            const bool overY = y < 0 || y >= s;
+            const int fx = overX ? std::clamp(x, 0, s - 1) : x;
+            const int fy = overY ? std::clamp(y, 0, s - 1) : y;
+            const int sx = overY ? s - 1 - fx : fx;
+            const int sy = overX ? s - 1 - fy : fy;
+            const Rgb& c = level.radiance[level.index(unsigned(sx), unsigned(sy))];
+            out[0] = float(double(c.r) * scale);
+            out[1] = float(double(c.g) * scale);
+            out[2] = float(double(c.b) * scale);
+        }
+    }
+}
+
+}  // namespace
+
+OctahedralGrid::OctahedralGrid(unsigned side) : _side(side), _corners(size_t(side + 1) * (side + 1))
+{
+    for (unsigned y = 0; y <= side; ++y)
+        for (unsigned x = 0; x <= side; ++x) _corners[size_t(y) * (side + 1) + x] = exactCoordinates(x, y, side);
+}
+
+unsigned pyramidSide(int mapWidth)
+{
+    unsigned side = smallestLevel;
+    while (side < 1024 && int(2 * side) < mapWidth) side *= 2;
+    return side;
+}
+
+unsigned pyramidLastLevel(unsigned side)
+{
+    return unsigned(std::lround(std::log2(double(side) / smallestLevel)));
+}
+
+osg::ref_ptr<osg::Image> makePyramid(const RadianceMap& map, const OctahedralGrid& grid, double scale)
+{
+    const unsigned side = grid.side();
+    const unsigned last = pyramidLastLevel(side);
+    osg::ref_ptr<osg::Image> atlas = new osg::Image;
+    atlas->allocateImage(int(side + 2 + (last ? side / 2 + 2 : 0)), int(side + 2 + 2 * last), 1, GL_RGB, GL_FLOAT);
+    std::fill_n(reinterpret_cast<float*>(atlas->data()), atlas->getTotalSizeInBytes() / sizeof(float), 0.0f);
+    Level level = baseLevel(map, grid);
+    for (unsigned i = 0;; ++i) {
+        store(level, i, side, scale, *atlas);
+        if (i == last) break;
+        level = nextLevel(level);
+    }
+    return atlas;
+}
+
+}  // namespace osgEnvLight
