@@ -5,6 +5,7 @@
 #include <osgEnvLight/InverseCdfSampler>
 #include <osgEnvLight/MedianCutSampler>
 #include <osgEnvLight/SplitSampler>
+#include <osgEnvLight/StructuredSampler>
 
 namespace osgEnvLight
 {
@@ -27,6 +28,7 @@ const Entry entries[] = {
     {"auto", make<AutoSampler>},
     {"split", make<SplitSampler>},
     {"median-cut", make<MedianCutSampler>},
+    {"structured", make<StructuredSampler>},
     {"inverse-cdf", make<InverseCdfSampler>},
 };
 
