@@ -4,6 +4,7 @@
 #include <osgEnvLight/AutoSampler>
 #include <osgEnvLight/InverseCdfSampler>
 #include <osgEnvLight/MedianCutSampler>
+#include <osgEnvLight/PenroseSampler>
 #include <osgEnvLight/SplitSampler>
 #include <osgEnvLight/StructuredSampler>
 
@@ -29,6 +30,7 @@ const Entry entries[] = {
     {"split", make<SplitSampler>},
     {"median-cut", make<MedianCutSampler>},
     {"structured", make<StructuredSampler>},
+    {"penrose", make<PenroseSampler>},
     {"inverse-cdf", make<InverseCdfSampler>},
 };
 
