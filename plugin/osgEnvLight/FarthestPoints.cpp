@@ -26,15 +26,19 @@ FarthestPoints::FarthestPoints(const LightTexels& texels, const TexelGroup& grou
     std::vector<unsigned> nearest(texels.size(), 0);
     findNearest(texels, group, taken, 0, nearest);
     double brightest = 0.0;
-    for (size_t i = 0; i < texels.size(); ++i) brightest = std::max(brightest, texels.deciding(i) / texels.solidAngle(i));
-    for (size_t i = 0; i < texels.size(); ++i) {
-        const size_t p = i / size_t(texels.width()) * _stride + i % size_t(texels.width());
-        _x[p] = texels.x()[i];
-        _y[p] = texels.y()[i];
-        _z[p] = texels.z()[i];
-        if (!group.has(i)) continue;
-        _chord[p] = taken.empty() ? unseen + float(texels.deciding(i) / texels.solidAngle(i) / brightest)
-                                  : float((texels.direction(i) - taken[nearest[i]]).length2());
+    for (size_t i = 0; i < texels.size(); ++i)
+        if (group.has(i)) brightest = std::max(brightest, texels.deciding(i) / texels.solidAngle(i));
+    const size_t width = size_t(texels.width());
+    for (size_t row = 0; row < size_t(texels.height()); ++row) {
+        std::copy_n(texels.x() + row * width, width, &_x[row * _stride]);
+        std::copy_n(texels.y() + row * width, width, &_y[row * _stride]);
+        std::copy_n(texels.z() + row * width, width, &_z[row * _stride]);
+        for (size_t i = row * width; i < (row + 1) * width; ++i) {
+            if (!group.has(i)) continue;
+            _chord[i + row * (_stride - width)] = taken.empty()
+                                                      ? unseen + float(texels.deciding(i) / texels.solidAngle(i) / brightest)
+                                                      : float((texels.direction(i) - taken[nearest[i]]).length2());
+        }
     }
     _greatest.resize(_segments * size_t(texels.height()));
     for (size_t s = 0; s < _greatest.size(); ++s) findGreatest(s);
