@@ -3,6 +3,7 @@
 
 #include <osgEnvLight/LightSampler>
 
+#include <algorithm>
 #include <cstring>
 
 #include "LightJudge.h"
@@ -229,4 +230,57 @@ TEST(LightSampler, WideRange)
     const auto map = radianceOf(image);
     expectLists(*map, "sun", {1, 16, 128}, 256 * 128);
     EXPECT_LT(unoccludedError(sample(*map, 128), *map), 0.0025);
+}
+
+TEST(LightSampler, TwentyOneStops)
+{
+    // Suns of 2^21 over black but for a dim disc, one at each pole, one on the seam: the row of a pole is lit whole.
+    osg::ref_ptr<osg::Image> image = makeMap(256, 128, [](const vec3& d) { return vec3(d.y > 0.9 ? 1.0 : 0.0); });
+    for (int x = 0; x < 256; ++x) std::fill_n(texelOf(*image, x, 0), 3, 2097152.0f);
+    std::fill_n(texelOf(*image, 3, 127), 3, 2097152.0f);
+    std::fill_n(texelOf(*image, 255, 64), 3, 2097152.0f);
+    const auto map = radianceOf(image);
+    size_t lit = 0;
+    for (int y = 0; y < 128; ++y)
+        for (int x = 0; x < 256; ++x) lit += map->texel(x, y)[0] > 0.0f;
+    expectLists(*map, "21 stops", {1, 2, 128, 1009}, lit);
+    // Sums of texels know the dark ones for certain, differences of sums only to 1e-16 of the sun.
+    for (const char* sampler : {"structured", "penrose"}) EXPECT_EQ(sample(*map, 4096, sampler).size(), lit) << sampler;
+    const LightJudge judge(*map, false);
+    for (const char* sampler : {"auto", "split", "median-cut", "structured", "penrose"})
+        EXPECT_LT(judge.unoccludedError(sample(*map, 128, sampler)), 0.003) << sampler;
+}
+
+TEST(LightSampler, ManyLights)
+{
+    const auto map = radianceOf(makeMap(512, 256, maps[4].radiance));
+    expectLists(*map, "many", {65536}, 512 * 256);
+    const auto small = radianceOf(makeMap(128, 64, maps[4].radiance));
+    expectLists(*small, "more than texels", {8191, 8192, 16384}, 128 * 64);
+}
+
+TEST(LightSampler, BlocksThatDoNotFit)
+{
+    // 514 columns in blocks of 2, 257 rows: none of the samplers drops the last ones. Bound: three times that of 256 x 128.
+    const auto map = radianceOf(makeMap(514, 257, maps[2].radiance));
+    expectLists(*map, "514 x 257", {128}, 128);
+    expectLists(*radianceOf(makeMap(1026, 513, maps[4].radiance)), "1026 x 513", {128}, 128);
+    const LightJudge judge(*map, false);
+    for (const char* sampler : {"auto", "split", "median-cut", "structured", "penrose"})
+        EXPECT_LT(judge.unoccludedError(sample(*map, 128, sampler)), 0.0075) << sampler;
+}
+
+TEST(LightSampler, FloorPutsLightsInTheDark)
+{
+    // A lit half, 3 : 1 with a floor of one mean; the flux stays the map's.
+    const auto map = radianceOf(makeMap(256, 128, [](const vec3& d) { return vec3(d.z > 0.0 ? 1.0 : 0.0); }));
+    SampleOptions options;
+    options.floor = 1.0;
+    for (const char* sampler : {"median-cut", "structured", "penrose", "inverse-cdf"}) {
+        const LightList lights = LightSampler::create(sampler)->sample(*map, 256, options);
+        EXPECT_EQ(lights.size(), 256u) << sampler;
+        expectSound(lights, *map, sampler, sampler != std::string("inverse-cdf"));
+        const auto below = std::count_if(lights.begin(), lights.end(), [](const auto& l) { return l.direction.z() < 0.0; });
+        EXPECT_NEAR(double(below), 64.0, 16.0) << sampler;
+    }
 }
