@@ -229,13 +229,13 @@ class Chooser
             points.push_back({_grid.centre(left[k].second), 0, left[k].second, 0, 0.0, 0, 0});
     }
 
-    // Weights 1, 2, 3, 5, 8, 13; the oldest digit is the first bit, and the least.
+    // Weights 1, 2, 3, 5, 8, 13, the last digit's the largest; no two digits in a row are 1, so at most 20.
     unsigned structuralIndex(unsigned code) const
     {
         unsigned sum = 0;
         for (unsigned i = 0; i < 6; ++i)
             if (code >> (5 - i) & 1u) sum += unsigned(_geometry.fibonacci[i + 2]);
-        return std::min(sum, indices - 1);
+        return sum;
     }
 
     const Geometry& _geometry = geometry();

@@ -13,7 +13,7 @@ namespace osgEnvLight
 namespace
 {
 
-// Their number, the exponent and the limit are the paper's; strata wider or narrower than one deviation gain nothing.
+// The paper's. Half or twice the deviation and twelve strata all come within a fifth of the error.
 const unsigned char strata = 6;
 const double exponent = 0.25;
 const double largestSolidAngle = 0.01;

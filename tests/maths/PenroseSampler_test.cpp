@@ -73,7 +73,7 @@ TEST(PenroseTiling, EveryNumberIsOneTile)
 
 TEST(PenroseTiling, IndicesAndFrames)
 {
-    for (size_t count : {size_t(1), size_t(300), size_t(5000)})
+    for (size_t count : {size_t(1), size_t(300), size_t(50000)})
         for (const PenrosePoint& p : flatPoints(count)) {
             EXPECT_LT(p.importanceIndex, 21u);
             EXPECT_LT(p.structuralIndex, 21u);
@@ -169,11 +169,20 @@ TEST(PenroseTable, BlueNoise)
 
 TEST(PenroseTable, IsWhatItsProgramMakes)
 {
-    // .0005 of its three digits, and what another compiler's arithmetic adds
-    const PenroseTable made = relaxedPenroseTable();
-    for (size_t i = 0; i < 21; ++i)
-        for (size_t s = 0; s < 21; ++s)
-            for (size_t k = 0; k < 2; ++k) EXPECT_NEAR(made.shift[i][s][k], penroseTable.shift[i][s][k], 0.005f);
+    // Every fifth row, as it takes a tenth of a second each. .0005 of three digits, and what another compiler's arithmetic adds.
+    for (unsigned density = 0; density < 21; density += 5) {
+        PenroseTable made = {};
+        relaxPenroseRow(density, made);
+        int rows = 0;
+        for (size_t i = 0; i < 21; ++i) {
+            if (made.shift[i][0][0] == 0.0f) continue;
+            ++rows;
+            for (size_t s = 0; s < 21; ++s)
+                for (size_t k = 0; k < 2; ++k) EXPECT_NEAR(made.shift[i][s][k], penroseTable.shift[i][s][k], 0.005f);
+        }
+        EXPECT_EQ(rows, 1);
+    }
+    for (const auto& row : penroseTable.shift) EXPECT_NE(row[1][1], 0.0f);
 }
 
 TEST(PenroseSampler, AcceptanceOnRealMaps)
