@@ -27,6 +27,7 @@ using mat3 = glm::dmat3;
 using mat4 = glm::dmat4;
 using uint = glm::uint;
 using glm::abs;
+using glm::acos;
 using glm::atan;
 using glm::clamp;
 using glm::cos;
@@ -47,6 +48,7 @@ using glm::pow;
 using glm::sign;
 using glm::sin;
 using glm::sqrt;
+using glm::tan;
 using glm::transpose;
 
 // A texture of RGBA floats, row 0 at the bottom, clamped to its edge.
@@ -92,6 +94,7 @@ inline vec4 textureLod(const sampler2D& s, vec2 st, double)
 #include "lib/phong.glsl"
 #include "lib/sequence.glsl"
 #include "lib/sh.glsl"
+#include "lib/sun.glsl"
 #include "lib/tone.glsl"
 #include "lib/visibility.glsl"
 #undef float

@@ -17,6 +17,11 @@ const unsigned on = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE | os
 const unsigned off = osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
 const int forwardTextureUnit = 8;  // beyond the units that fixed-function state reaches
 
+void addSuns(osg::StateSet& state, MapTextures& textures)
+{
+    for (const osg::ref_ptr<osg::Uniform>& u : textures.sunUniforms()) state.addUniform(u.get());
+}
+
 }  // namespace
 
 osg::StateSet& DeferredTechnique::gbufferState(Cull& c)
@@ -89,10 +94,11 @@ void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
     MapTextures& textures = c.view.textures();
     const std::vector<GLint> half = {GL_RGBA16F_ARB};
     // All targets first: a new one forgets the state sets that read its predecessor.
-    Target* diffuse = plan.diffuse ? &c.view.target("diffuse", half) : nullptr;
+    const std::vector<GLint> two = {GL_RGBA16F_ARB, GL_RGBA16F_ARB};
+    Target* diffuse = plan.diffuse ? &c.view.target("diffuse", plan.sunDiffuse ? two : half) : nullptr;
     // A mirrored sun exceeds half floats in units of the map's mean.
     Target* specular = plan.specular ? &c.view.target("specular", {GL_RGBA32F_ARB}) : nullptr;
-    Target* sums = plan.occlusion ? &c.view.target("occlusion", {GL_RGBA16F_ARB, GL_RGBA16F_ARB}) : nullptr;
+    Target* sums = plan.occlusion ? &c.view.target("occlusion", two) : nullptr;
     Target* filtered = plan.occlusion ? &c.view.target("filter", half) : nullptr;
     for (const Plan::Reason& r : plan.reasons)
         if (!r.runs) c.view.dropTarget(r.pass);
@@ -108,7 +114,9 @@ void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
             in.defines.push_back("HAS_COOK_TORRANCE");
             in.samplers.push_back({"albedoTable", albedoTable()});
         }
+        if (plan.sunDiffuse) in.defines.push_back("HAS_SUNS");
         osg::StateSet& state = passState(c, "diffuse", in);
+        if (plan.sunDiffuse) addSuns(state, textures);
         if (!plan.diffuseLights) state.addUniform(textures.harmonics());
         addPass(c, cv, "diffuse", *diffuse, state);
     }
@@ -120,7 +128,10 @@ void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
             in.defines.push_back("HAS_COOK_TORRANCE");
             in.samplers.push_back({"albedoTable", albedoTable()});
         }
-        addPass(c, cv, "specular", *specular, passState(c, "specular", in));
+        if (plan.suns) in.defines.push_back("HAS_SUNS");
+        osg::StateSet& state = passState(c, "specular", in);
+        if (plan.suns) addSuns(state, textures);
+        addPass(c, cv, "specular", *specular, state);
     }
     if (sums) {
         PassInputs in;
@@ -149,6 +160,10 @@ DeferredTechnique::PassInputs DeferredTechnique::compositeInputs(Cull& c)
         samplers.push_back({name, c.view.target(pass, {}).textures[0].get()});
     };
     addTerm(plan.diffuse, "HAS_DIFFUSE", "diffuseTermMap", "diffuse");
+    if (plan.diffuse && plan.sunDiffuse) {
+        defines.push_back("HAS_SUNS");
+        samplers.push_back({"sunDiffuseMap", c.view.target("diffuse", {}).textures[1].get()});
+    }
     addTerm(plan.specular, "HAS_SPECULAR", "specularTermMap", "specular");
     addTerm(plan.occlusion, "HAS_OCCLUSION", "occlusionTermMap", "filter");
     if (s.combine == Settings::SUBTRACT) defines.push_back("COMBINE_SUBTRACT");
@@ -182,7 +197,8 @@ void DeferredTechnique::addComposite(Cull& c, osgUtil::CullVisitor& cv)
 
 osg::StateSet& DeferredTechnique::forwardState(Cull& c)
 {
-    std::string key = c.settings.output == Settings::LINEAR ? "forward OUTPUT_LINEAR" : "forward";
+    std::string key = "forward " + std::to_string(c.settings.suns);
+    if (c.settings.output == Settings::LINEAR) key += " OUTPUT_LINEAR";
     ViewData::State base = c.view.state(key);
     if (base.isNew) {
         MapTextures& textures = c.view.textures();
@@ -192,6 +208,11 @@ osg::StateSet& DeferredTechnique::forwardState(Cull& c)
                        osg::StateAttribute::ON | osg::StateAttribute::PROTECTED);
         s.addUniform(new osg::Uniform("baseColorMap", 0));
         s.addUniform(textures.harmonics());
+        if (!textures.suns().empty()) {
+            s.setDefine("HAS_SUNS");
+            if (c.settings.suns == Settings::SUNS_AUTO) s.setDefine("SUN_DIFFUSE");
+            addSuns(s, textures);
+        }
         s.setTextureAttribute(forwardTextureUnit, textures.pyramid(), on);
         s.addUniform(new osg::Uniform("pyramidMap", forwardTextureUnit));
         s.setTextureAttribute(forwardTextureUnit + 1, albedoTable(), on);

@@ -83,7 +83,7 @@ try {
     lock.lock();
     const bool needed = settings->diffuse && radianceScale > 0.0 && vd.plan.surfaces.deferred > 0;
     const DiffuseCarrier carrier = needed ? textures->carrier() : DiffuseCarrier();
-    vd.plan = Plan::make(*settings, vd.plan.surfaces, radianceScale <= 0.0, radius, carrier);
+    vd.plan = Plan::make(*settings, vd.plan.surfaces, radianceScale <= 0.0, radius, carrier, textures->sunShare());
     addPasses(c, cv);
     addComposite(c, cv);
     for (const ForwardGraph& f : forward) f.bin->addStateGraph(f.graph);

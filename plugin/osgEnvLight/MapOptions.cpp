@@ -11,7 +11,7 @@ MapOptions::MapOptions() : MapOptions(*osg::ref_ptr<const Settings>(new Settings
 MapOptions::MapOptions(const Settings& s)
     : sampler(s.lightSampler),
       deal(s.lightDeal == Settings::DEALT_RANDOM ? DEAL_RANDOM : DEAL_MOMENTS),
-      suns(s.suns == Settings::SUNS_AUTO),
+      suns(s.suns),
       diffuseCarrier(s.diffuseCarrier),
       diffuseLights(unsigned(s.diffuseLights)),
       diffuseError(double(s.diffuseError) / 100.0)

@@ -47,12 +47,12 @@ MapTextures::MapTextures(const MapTextures& former) = default;
 void MapTextures::settle()
 {
     if (_diffuseLights) {
-        _diffuse.settle(residual(), _diffuse.count(), _options);
+        _diffuse.settle(listed(), _diffuse.count(), _options);
         _diffuseLights = nullptr;
         diffuseLights();
     }
     if (_occlusionLights) {
-        _occlusion.settle(residual(), _occlusion.count(), _options);
+        _occlusion.settle(listed(), _occlusion.count(), _options);
         _occlusionLights = nullptr;
         occlusionLights(_occlusion.count());
     }
@@ -102,7 +102,7 @@ void MapTextures::use(const MapOptions& options)
 
 const SunSplit& MapTextures::split()
 {
-    if (!_split.residual) _split = splitSuns(*_map, _options.suns ? maximumSuns : 0, _formerSuns);
+    if (!_split.residual) _split = splitSuns(*_map, _options.suns == Settings::SUNS_OFF ? 0 : maximumSuns, _formerSuns);
     return _split;
 }
 
@@ -114,6 +114,19 @@ const RadianceMap& MapTextures::residual()
 const DominantLights& MapTextures::suns()
 {
     return split().suns;
+}
+
+const RadianceMap& MapTextures::listed()
+{
+    return _options.suns == Settings::SUNS_AUTO ? residual() : *_map;
+}
+
+SunShare MapTextures::sunShare()
+{
+    osg::Vec3d flux;
+    for (const DominantLight& sun : suns()) flux += sun.flux;
+    const osg::Vec3d ones(1, 1, 1);
+    return {unsigned(suns().size()), _map->meanOfChannels() > 0.0 ? flux * ones / (_map->flux * ones) : 0.0};
 }
 
 void MapTextures::setFormat(osg::Texture2D& texture, osg::Image* image) const
@@ -165,7 +178,7 @@ osg::Uniform* MapTextures::harmonics()
     if (!_harmonics) {
         _harmonics = new osg::Uniform(osg::Uniform::FLOAT_VEC3, "shCoefficients", 18);
         for (int i = 0; i < 18; ++i) {
-            const osg::Vec3d c = residual().harmonics()[size_t(i)] * (cosineBand(harmonicBand(i)) / glsl::PI * _scale);
+            const osg::Vec3d c = listed().harmonics()[size_t(i)] * (cosineBand(harmonicBand(i)) / glsl::PI * _scale);
             _harmonics->setElement(unsigned(i), osg::Vec3f(c));
         }
     }
@@ -186,10 +199,10 @@ const DiffuseCarrier& MapTextures::carrier()
         auto list = [&](unsigned count) -> const LightList& {
             _diffuse = former;
             _diffuseMade = true;
-            return _diffuse.next(residual(), count, _options);
+            return _diffuse.next(listed(), count, _options);
         };
         const DiffuseCarrier before = _carrier;
-        _carrier = chooseCarrier(residual(), _options.diffuseError, _options.diffuseLights, list, &before);
+        _carrier = chooseCarrier(listed(), _options.diffuseError, _options.diffuseLights, list, &before);
         if (_carrier.lights && _diffuse.count() != _carrier.lights) list(_carrier.lights);
         if (!_carrier.lights) {
             _diffuse = former;
@@ -203,7 +216,7 @@ const LightList& MapTextures::diffuseList()
 {
     const unsigned count = carrier().lights ? carrier().lights : _options.diffuseLights;
     if (!_diffuseMade || _diffuse.count() != count) {
-        _diffuse.next(residual(), count, _options);
+        _diffuse.next(listed(), count, _options);
         _diffuseMade = true;
         _diffuseLights = nullptr;
     }
@@ -221,7 +234,7 @@ osg::Texture2D* MapTextures::diffuseLights()
 osg::Texture2D* MapTextures::occlusionLights(unsigned count)
 {
     if (!_occlusionMade || _occlusion.count() != count) {
-        _occlusion.next(residual(), count, _options);
+        _occlusion.next(listed(), count, _options);
         _occlusionMade = true;
         _occlusionLights = nullptr;
     }

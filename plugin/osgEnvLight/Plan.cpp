@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgEnvLight/Plan>
 
+#include <iomanip>
+#include <locale>
 #include <sstream>
 
 namespace osgEnvLight
@@ -32,7 +34,7 @@ std::string count(unsigned n, const char* what)
 }  // namespace
 
 Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack, double sceneRadius,
-                const DiffuseCarrier& carrier)
+                const DiffuseCarrier& carrier, const SunShare& suns)
 {
     Plan plan;
     plan.surfaces = surfaces;
@@ -44,6 +46,21 @@ Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack
     plan.diffuseHarmonics = diffuse.runs ? carrier.harmonics : 0;
     plan.diffuseLights = diffuse.runs ? carrier.lights : 0;
     if (diffuse.runs) diffuse.reason = carrier.describe();
+
+    Decision sun;
+    sun.unless(s.suns == Settings::SUNS_OFF, "switched off").unless(mapIsBlack, "the map is black");
+    sun.unless(empty, "nothing to light").unless(suns.count == 0, "the map has none");
+    sun.unless(s.suns == Settings::SUNS_GLOSSY && !surfaces.phong && !surfaces.cookTorrance && surfaces.forward == 0,
+               "no glossy surface in view");
+    plan.suns = sun.runs ? suns.count : 0;
+    plan.sunDiffuse = sun.runs && s.suns == Settings::SUNS_AUTO;
+    if (sun.runs) {
+        std::ostringstream out;
+        out.imbue(std::locale::classic());
+        out << std::fixed << std::setprecision(1) << suns.count << " with " << 100.0 * suns.share << " % of the map's flux, "
+            << (plan.sunDiffuse ? "in D and S" : "in S");
+        sun.reason = out.str();
+    }
 
     Decision specular;
     specular.unless(!s.specular, "switched off").unless(mapIsBlack, "the map is black").unless(empty, "nothing to light");
@@ -63,6 +80,7 @@ Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack
     }
 
     plan.reasons = {{"gbuffer", true, count(surfaces.deferred, "drawables, ") + count(surfaces.forward, "drawn forward")},
+                    {"suns", sun.runs, sun.reason},
                     {"diffuse", diffuse.runs, diffuse.reason},
                     {"specular", specular.runs, specular.reason},
                     {"occlusion", occlusion.runs, occlusion.reason},

@@ -92,8 +92,10 @@ const std::vector<Settings::Property>& Settings::table()
              "radiance added to the map where lights are placed, so that dark parts have some; their flux stays true"),
         choice("lightDeal", &S::lightDeal, {"moments", "random"},
                "how lights are dealt to the 16 groups of O: each a good sample of the map, or shuffled"),
-        choice("suns", &S::suns, {"off", "auto"},
-               "cut suns and lamps out of the map and shade them as discs; they cast no shadows yet"),
+        choice(
+            "suns", &S::suns, {"off", "glossy", "auto"},
+            "cut suns and lamps out of the map and shade them as discs: for S, which they make smooth, or for D as well, where "
+            "they cast no shadows yet"),
         choice("regeneration", &S::regeneration, {"background", "immediate"},
                "a changed map becomes light on a thread of its own, visible when ready; or within the frame that sees it"),
         choice(

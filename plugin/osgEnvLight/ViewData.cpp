@@ -81,7 +81,7 @@ GBuffer& ViewData::gbuffer()
 Target& ViewData::target(const std::string& pass, const std::vector<GLint>& formats)
 {
     osg::ref_ptr<Target>& target = _targets[pass];
-    if (!target) {
+    if (!target || (!formats.empty() && formats.size() != target->textures.size())) {
         target = new Target(_width, _height, formats, _failure.get());
         _states.clear();  // those that read the pass's former target
     }

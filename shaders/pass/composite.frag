@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // L = L_e + S + D - O [seed 000, eq. 3], into the host's own colour and depth, or any intermediate in its place.
-#pragma import_defines(HAS_DIFFUSE, HAS_SPECULAR, HAS_OCCLUSION, COMBINE_SUBTRACT, BACKGROUND, BACKGROUND_BLUR, VIEW_TERM, OUTPUT_LINEAR)
+#pragma import_defines(HAS_DIFFUSE, HAS_SUNS, HAS_SPECULAR, HAS_OCCLUSION, COMBINE_SUBTRACT, BACKGROUND, BACKGROUND_BLUR, VIEW_TERM, OUTPUT_LINEAR)
 
 #include "lib/constants.glsl"
 #include "lib/latlong.glsl"
@@ -12,6 +12,7 @@
 
 uniform sampler2D emissionMap;
 uniform sampler2D diffuseTermMap;
+uniform sampler2D sunDiffuseMap;
 uniform sampler2D specularTermMap;
 uniform sampler2D occlusionTermMap;
 uniform sampler2D latlongMap;
@@ -41,6 +42,15 @@ vec3 diffuseTerm(ivec2 p)
 {
 #ifdef HAS_DIFFUSE
     return texelFetch(diffuseTermMap, p, 0).rgb * radianceScale;
+#else
+    return vec3(0.0);
+#endif
+}
+
+vec3 sunDiffuse(ivec2 p)
+{
+#ifdef HAS_SUNS
+    return texelFetch(sunDiffuseMap, p, 0).rgb * radianceScale;
 #else
     return vec3(0.0);
 #endif
@@ -91,7 +101,7 @@ vec3 lightsView(vec3 d)
 
 vec3 termView(ivec2 p, vec3 d)
 {
-    if (view == VIEW_DIFFUSE) return diffuseTerm(p);
+    if (view == VIEW_DIFFUSE) return diffuseTerm(p) + sunDiffuse(p);
     if (view == VIEW_SPECULAR) return specularTerm(p);
     if (view == VIEW_OCCLUSION) return diffuseTerm(p) - occludedDiffuse(p);
     if (view == VIEW_ALBEDO) return texelFetch(albedoMap, p, 0).rgb;
@@ -125,7 +135,7 @@ void main()
 #ifdef VIEW_TERM
     color = vec4(display(termView(p, d), p), 1.0);
 #else
-    vec3 radiance = texelFetch(emissionMap, p, 0).rgb + specularTerm(p) + occludedDiffuse(p);
+    vec3 radiance = texelFetch(emissionMap, p, 0).rgb + specularTerm(p) + sunDiffuse(p) + occludedDiffuse(p);
     color = vec4(display(radiance, p), 1.0);
 #endif
 }

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: MIT
 // D: the diffuse term without occlusion, rho/pi times the integral of L cos [seed 000, eq. 3, second term], from
 // spherical harmonics of the map or from its importance-sampled lights. Radiance in units of the map's mean.
-#pragma import_defines(DIFFUSE_SH_9, DIFFUSE_SH_18, HAS_COOK_TORRANCE)
+#pragma import_defines(DIFFUSE_SH_9, DIFFUSE_SH_18, HAS_COOK_TORRANCE, HAS_SUNS)
 
 #include "lib/constants.glsl"
 #include "lib/sh.glsl"
 #include "pass/gbuffer.glsl"
 #include "pass/albedo.glsl"
+#ifdef HAS_SUNS
+#include "pass/suns.glsl"
+#endif
 
 #if defined(DIFFUSE_SH_9) || defined(DIFFUSE_SH_18)
 #define DIFFUSE_SH
@@ -17,6 +20,9 @@ uniform sampler2D diffuseLightMap; // rows 2q, 2q + 1: direction and flux
 #endif
 
 layout(location = 0) out vec4 diffuse;
+#ifdef HAS_SUNS
+layout(location = 1) out vec4 sunDiffuse; // apart: what keeps D from a surface is not what keeps the suns from it
+#endif
 
 vec3 irradianceOverPi(vec3 n)
 {
@@ -41,6 +47,9 @@ void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
     diffuse = vec4(0.0);
+#ifdef HAS_SUNS
+    sunDiffuse = vec4(0.0);
+#endif
     if (isBackground(p)) return;
     vec3 n = pixelNormal(p);
     vec3 rho = texelFetch(albedoMap, p, 0).rgb;
@@ -52,5 +61,10 @@ void main()
         rho *= max(1.0 - (f0 * e.x + e.y) * multipleScattering(f0, e.x + e.y), vec3(0.0));
     }
 #endif
-    if (max(rho.r, max(rho.g, rho.b)) > 0.0) diffuse = vec4(rho * irradianceOverPi(mapFromEye * n), 1.0);
+    if (max(rho.r, max(rho.g, rho.b)) <= 0.0) return;
+    vec3 mapNormal = mapFromEye * n;
+    diffuse = vec4(rho * irradianceOverPi(mapNormal), 1.0);
+#ifdef HAS_SUNS
+    sunDiffuse = vec4(rho * sunIrradianceOverPi(mapNormal), 1.0);
+#endif
 }

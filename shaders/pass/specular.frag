@@ -3,7 +3,7 @@
 // S: the glossy term, the integral of L f_H cos [seed 000, eq. 3, first term], by filtered importance sampling
 // [Colbert, Krivanek 2008]: directions from the BRDF, each look-up as wide as the sample's share of the lobe.
 // Radiance in units of the map's mean.
-#pragma import_defines(HAS_PHONG, HAS_COOK_TORRANCE)
+#pragma import_defines(HAS_PHONG, HAS_COOK_TORRANCE, HAS_SUNS)
 
 #include "lib/frame.glsl"
 #include "lib/fresnel.glsl"
@@ -14,6 +14,9 @@
 #include "lib/sequence.glsl"
 #include "pass/gbuffer.glsl"
 #include "pass/albedo.glsl"
+#ifdef HAS_SUNS
+#include "pass/suns.glsl"
+#endif
 
 uniform sampler2D pyramidMap;
 uniform sampler2D latlongMap;
@@ -58,7 +61,14 @@ vec3 cookTorrance(vec3 v, mat3 mapFromLocal, vec3 f0, float roughness)
         num += w * fresnelSchlick(f0, c) * filtered(mapFromLocal * l, ggxReflectionPdf(v, h, alpha));
         den += w;
     }
-    return den > 0.0 ? num / den * single * energy : vec3(0.0);
+    vec3 sum = den > 0.0 ? num / den * single : vec3(0.0);
+#ifdef HAS_SUNS
+    for (int i = 0; i < sunCount; ++i) {
+        vec3 s = sunDirection[i] * mapFromLocal;
+        sum += sunRadiance[i] * fresnelSchlick(f0, dot(normalize(v + s), v)) * ggxDisc(s, v, alpha, sunRadius[i]);
+    }
+#endif
+    return sum * energy;
 }
 #endif
 
@@ -75,7 +85,15 @@ vec3 phong(vec3 v, mat3 mapFromLocal, vec3 ks, float roughness)
         vec3 l = lobe * phongSample(n, hammersley(uint(i), uint(specularSamples)));
         if (l.z > 0.0) sum += l.z * filtered(mapFromLocal * l, phongPdf(r, l, n));
     }
-    return ks * scale * sum / float(specularSamples);
+    sum *= scale / float(specularSamples);
+#ifdef HAS_SUNS
+    for (int i = 0; i < sunCount; ++i) {
+        vec3 s = sunDirection[i] * mapFromLocal;
+        sum += sunRadiance[i] * (n + 2.0) / TWO_PI * phongDisc(r, s, n, sunRadius[i]) *
+               (discIrradianceOverPi(s.z, sunRadius[i]) / (sin(sunRadius[i]) * sin(sunRadius[i])));
+    }
+#endif
+    return ks * sum;
 }
 #endif
 

@@ -206,3 +206,41 @@ TEST(parity, rayMarch)
     EXPECT_LT(blocked, 3500);
     EXPECT_LE(different, 20) << "of " << gpu.size();
 }
+
+TEST(parity, sun)
+{
+    Random random(77);
+    std::vector<Row> rows;
+    for (int i = 0; i < 4000; ++i) {
+        const double radius = std::pow(10.0, random.uniform(-3.0, -1.0));
+        const double alpha = std::pow(10.0, random.uniform(-2.0, 0.0));
+        const double mu = random.uniform(0.05, 1.0);
+        const vec3 v(-std::sqrt(1.0 - mu * mu), 0.0, mu);
+        const vec3 mirror(-v.x, 0.0, v.z);
+        vec3 s = glsl::normalize(mirror + random.direction() * (alpha + radius) * random.uniform(0.0, 2.0));
+        if (s.z < 0.02) s = vec3(0, 0, 1);
+        rows.push_back({toFloat(v, alpha), toFloat(s, radius)});
+    }
+    // The cosine's rounding, 1e-7, where the disc sets and its irradiance is cut off: of sin s cosine.
+    expectParity(
+        {"lib/sun.glsl"}, "result = vec4(discIrradianceOverPi(b.z, b.w), discShare(b.z, b.w), 0.0, 0.0);", rows,
+        [](auto& in) { return vec4(glsl::discIrradianceOverPi(in[1].z, in[1].w), glsl::discShare(in[1].z, in[1].w), 0, 0); },
+        [](const std::vector<vec4>& in, double exact) { return 3e-6 * exact + 1e-6 * in[1].w; });
+    // Slopes are good to 1e-7, which the lobe's width and the ellipse's short axis (radius times the cosine) divide:
+    // specular.md 3 found up to 9e-4.
+    expectParity(
+        {"lib/sun.glsl"}, "result = vec4(ggxDisc(b.xyz, a.xyz, a.w, b.w), 0.0, 0.0, 0.0);", rows,
+        [](auto& in) { return vec4(glsl::ggxDisc(xyz(in[1]), xyz(in[0]), in[0].w, in[1].w), 0, 0, 0); },
+        [](const std::vector<vec4>& in, double exact) {
+            const double peak = std::min(in[1].w * in[1].w / (in[0].w * in[0].w), 1.0) / in[0].z;
+            return 1e-3 * exact + (1e-5 + 1e-7 / (in[1].w * in[0].z)) * peak;
+        });
+    expectParity(
+        {"lib/sun.glsl"}, "result = vec4(phongDisc(vec3(-a.x, 0.0, a.z), b.xyz, 2.0 / (a.w * a.w), b.w), 0.0, 0.0, 0.0);", rows,
+        [](auto& in) {
+            return vec4(glsl::phongDisc(vec3(-in[0].x, 0.0, in[0].z), xyz(in[1]), 2.0 / (in[0].w * in[0].w), in[1].w), 0, 0, 0);
+        },
+        [](const std::vector<vec4>& in, double exact) {
+            return 1e-4 * exact + 1e-5 * std::min(in[1].w * in[1].w, in[0].w * in[0].w);
+        });
+}
