@@ -281,7 +281,7 @@ bool EnvironmentMap::load(const std::string& name, const osgDB::Options* options
         error = "environment map '" + name + "': " + (reason.empty() ? "can't be read" : reason);
         return false;
     }
-    MapLayout layout = _layout;
+    MapLayout layout = isBuiltin(name) ? MapLayout::LATLONG : _layout;
     reason = shapeError(*image, layout);
     if (!reason.empty()) {
         error = "environment map '" + name + "' " + reason;
@@ -337,7 +337,7 @@ osg::ref_ptr<const RadianceMap> MapState::read(std::string& error) const
 
 MapState EnvironmentMap::state() const
 {
-    return {_image, _image ? _image->getModifiedCount() : 0, _layout, _strict};
+    return {_image, _image ? _image->getModifiedCount() : 0, isBuiltin(_map) ? MapLayout::LATLONG : _layout, _strict};
 }
 
 osg::ref_ptr<const RadianceMap> EnvironmentMap::radiance(std::string& error) const

@@ -114,7 +114,8 @@ TEST_F(BadInput, SceneDescriptions)
         {start + ", \"environment\": {\"layout\": \"cylinder\"}}",
          {"'environment.layout'", "latlong", "mirror-ball", "cylinder"}},
         {start + ", \"environment\": {\"layout\": 3}}", {"'environment.layout'", "string"}},
-        {start + ", \"environment\": {\"map\": \"sky\", \"layout\": \"strip\"}}", {"environment.map", "'sky'", "6NxN"}},
+        {start + ", \"environment\": {\"map\": \"two.hdr\", \"layout\": \"strip\"}}",
+         {"environment.map", "two.hdr", "2x1", "6NxN"}},
         {start + ", \"environment\": {\"intensity\": -1}}", {"'environment.intensity'", "-1"}},
         {start + ", \"settings\": {\"specularSamples\": 0}}", {"specularSamples", "1..1024"}},
         {start + ", \"settings\": {\"specularSample\": 4}}", {"specularSample", "specularSamples"}},
@@ -126,6 +127,7 @@ TEST_F(BadInput, SceneDescriptions)
         {start + ", \"materials\": {\"gold\": {\"brdf\": \"lambert\"}}}", {"gold", "no material"}},
         {start + ", \"lights\": [{}]}", {"'lights'"}},
     };
+    folder.write("two.hdr", hdr(2, 1, std::string(8, '\x80')));
     for (const Case& c : cases) {
         SCOPED_TRACE(c.content);
         expectError(run({folder.write("scene.envlight", c.content)}), 1, c.words);

@@ -370,6 +370,10 @@ TEST(MapLayout, IsPartOfWhatTheMapIsMadeFrom)
     EXPECT_NE(error.find("octahedral"), std::string::npos) << error;
     environment->setLayout(MapLayout::ANGULAR);
     EXPECT_TRUE(environment->radiance(error));
+    EXPECT_TRUE(environment->load("studio", nullptr, error)) << error;
+    EXPECT_TRUE(environment->radiance(error)) << error;
+    environment->setImage(nullptr);
+    EXPECT_TRUE(environment->radiance(error)) << error;
 }
 
 TEST(MapLayout, EightBitCrossesAreEncoded)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every class comes back from .osgt, .osgb and .osgx as it was written, and shows the same picture.
+#include <Process.h>
 #include <SceneRenderer.h>
 
 #include <osgEnvLight/Material>
@@ -94,6 +95,22 @@ TEST_P(Serializers, AMapByNameStaysAName)
     EXPECT_EQ("studio", copy->getEnvironmentMap()->getMap());
     ASSERT_TRUE(copy->getEnvironmentMap()->getImage());
     EXPECT_EQ(lit->getEnvironmentMap()->getImage()->s(), copy->getEnvironmentMap()->getImage()->s());
+}
+
+TEST_P(Serializers, AMapWhoseShapeNeedsItsLayoutIsReadWithIt)
+{
+    const TemporaryFolder folder;
+    const std::string name =
+        folder.write("square.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 2\n" + std::string(16, '\x80'));
+    osg::ref_ptr<LitScene> lit = new LitScene;
+    lit->getEnvironmentMap()->setLayout(osgEnvLight::MapLayout::MIRROR_BALL);
+    std::string error;
+    ASSERT_TRUE(lit->getEnvironmentMap()->load(name, nullptr, error)) << error;
+    osg::ref_ptr<LitScene> copy = reread(*lit, GetParam());
+    ASSERT_TRUE(copy);
+    EXPECT_EQ(osgEnvLight::MapLayout::MIRROR_BALL, copy->getEnvironmentMap()->getLayout());
+    EXPECT_EQ(name, copy->getEnvironmentMap()->getMap());
+    EXPECT_TRUE(copy->getEnvironmentMap()->radiance(error)) << error;
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, Serializers, testing::Values(".osgt", ".osgb", ".osgx"),
