@@ -12,7 +12,7 @@
 #include <set>
 #include <stdexcept>
 
-#include <nlohmann/json.hpp>
+#include "JsonValue.h"
 
 namespace osgEnvLight
 {
@@ -21,80 +21,7 @@ namespace
 {
 
 using nlohmann::json;
-
-// A JSON value and the way to it, for messages.
-class Value
-{
-  public:
-    Value(const json& j, std::string file, std::string path) : _json(j), _file(std::move(file)), _path(std::move(path)) {}
-
-    [[noreturn]] void fail(const std::string& expected) const
-    {
-        std::string found = _json.dump(-1, ' ', false, json::error_handler_t::replace);
-        if (found.size() > 60) found = found.substr(0, 57) + "...";
-        throw std::runtime_error(_file + ": " + (_path.empty() ? std::string("the file") : "key '" + _path + "'") +
-                                 ": expected " + expected + ", found " + found);
-    }
-
-    // The members of an object, whose keys must all be known.
-    void object(std::initializer_list<const char*> keys, const char* what) const
-    {
-        if (!_json.is_object()) fail(what);
-        for (const auto& [key, value] : _json.items()) {
-            bool known = false;
-            std::string list;
-            for (const char* k : keys) {
-                known = known || key == k;
-                list += (list.empty() ? "" : ", ") + std::string(k);
-            }
-            if (!known) throw std::runtime_error(_file + ": unknown key '" + join(key) + "'; expected one of " + list);
-        }
-    }
-
-    bool has(const char* key) const { return _json.contains(key); }
-    Value operator[](const std::string& key) const { return Value(_json.at(key), _file, join(key)); }
-
-    std::string string() const
-    {
-        if (!_json.is_string()) fail("a string");
-        return _json.get<std::string>();
-    }
-
-    bool boolean() const
-    {
-        if (!_json.is_boolean()) fail("true or false");
-        return _json.get<bool>();
-    }
-
-    double number(double low, double high, const char* what) const
-    {
-        const double x = _json.is_number() ? _json.get<double>() : std::nan("");
-        if (!(x >= low && x <= high)) fail(what);
-        return x;
-    }
-
-    osg::Vec3d vector(double low, double high, const char* what) const
-    {
-        osg::Vec3d v;
-        if (!_json.is_array() || _json.size() != 3) fail(what);
-        for (int i = 0; i < 3; ++i) {
-            const json& component = _json[size_t(i)];
-            if (!component.is_number()) fail(what);
-            v[i] = component.get<double>();
-            if (!(v[i] >= low && v[i] <= high)) fail(what);
-        }
-        return v;
-    }
-
-    const json& get() const { return _json; }
-
-  private:
-    std::string join(const std::string& key) const { return _path.empty() ? key : _path + "." + key; }
-
-    const json& _json;
-    std::string _file;
-    std::string _path;
-};
+using Value = JsonValue;
 
 const double huge = 1e30;
 
@@ -192,26 +119,6 @@ void readModels(const Value& v, SceneDescription& scene)
     if (scene.models.empty()) v.fail("\"model\": \"file\" or \"models\": [\"file\", ...]");
 }
 
-json parse(std::istream& in, const std::string& name)
-{
-    try {
-        // Deeper than any scene needs, shallower than the stack that messages recurse on.
-        const auto limit = [&name](int depth, json::parse_event_t, json&) {
-            if (depth > 64) throw std::runtime_error(name + ": not valid: nested deeper than 64 levels");
-            return true;
-        };
-        return json::parse(in, limit);
-    } catch (const json::exception& e) {  // a fault of syntax, or a number beyond a double
-        const std::string what = e.what();
-        const size_t at = what.find("at line");
-        const size_t words = what.find("] ");
-        const std::string detail = at != std::string::npos      ? " " + what.substr(at)
-                                   : words != std::string::npos ? ": " + what.substr(words + 2)
-                                                                : "";
-        throw std::runtime_error(name + ": not valid JSON" + detail);
-    }
-}
-
 // Puts materials on the state sets whose osg::Material, or on the nodes whose own name, they are for.
 class MaterialVisitor : public osg::NodeVisitor
 {
@@ -293,7 +200,7 @@ HomeView cameraOf(const json& j, const std::string& name)
 
 bool readCamera(std::istream& in, const std::string& name, HomeView& result, std::string& error)
 try {
-    result = cameraOf(parse(in, name), name);
+    result = cameraOf(parseJson(in, name), name);
     return true;
 } catch (const std::exception& e) {
     error = e.what();
@@ -304,7 +211,7 @@ bool SceneDescription::read(std::istream& in, const std::string& name, std::stri
 try {
     SceneDescription scene;
     scene.fileName = name;
-    const json j = parse(in, name);
+    const json j = parseJson(in, name);
     const Value v(j, name, "");
     v.object({"model", "models", "environment", "camera", "materials", "settings", "lights"}, "an object");
     readModels(v, scene);
