@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <istream>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 
@@ -101,16 +102,33 @@ class JsonValue
     std::string _path;
 };
 
+/** Whether brackets are nested deeper than that. Not the parser's own callback, whose time grows with the square of a list. */
+inline bool isNestedDeeper(const std::string& text, int limit)
+{
+    int depth = 0;
+    bool quoted = false;
+    for (size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (quoted && c == '\\')
+            ++i;
+        else if (c == '"')
+            quoted = !quoted;
+        else if (!quoted && (c == '[' || c == '{') && ++depth > limit)
+            return true;
+        else if (!quoted && (c == ']' || c == '}'))
+            --depth;
+    }
+    return false;
+}
+
 /** The document, or std::runtime_error in words that name the file. */
 inline nlohmann::json parseJson(std::istream& in, const std::string& name)
 {
+    const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    // Deeper than any scene needs, shallower than the stack that messages recurse on.
+    if (isNestedDeeper(text, 64)) throw std::runtime_error(name + ": not valid: nested deeper than 64 levels");
     try {
-        // Deeper than any scene needs, shallower than the stack that messages recurse on.
-        const auto limit = [&name](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
-            if (depth > 64) throw std::runtime_error(name + ": not valid: nested deeper than 64 levels");
-            return true;
-        };
-        return nlohmann::json::parse(in, limit);
+        return nlohmann::json::parse(text);
     } catch (const nlohmann::json::exception& e) {  // a fault of syntax, or a number beyond a double
         const std::string what = e.what();
         const size_t at = what.find("at line");

@@ -202,6 +202,8 @@ TEST(LightFile, FaultsAreNamedAndNothingIsHalfRead)
         {sun("{\"direction\": [0, 0, 1]}"),
          "key 'suns[0]': expected an object with direction, flux and, if it is not a point, radiusDeg, found "
          "{\"direction\":[0,0,1]}"},
+        {"{\"lights\": [], \"map\": \"\\\"" + std::string(200, '[') + "\", \"seed\": -1}",
+         "key 'seed': expected a whole number in 0..4294967295, found -1"},
         {std::string(200, '['), "not valid: nested deeper than 64 levels"},
     };
     for (const Case& c : cases) {
