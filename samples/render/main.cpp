@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // envlight-render: a scene lit by its environment, to an image, without an X server.
 #include "HeadlessContext.h"
+#include "ImageFile.h"
 #include "PluginPath.h"
 #include "Statistics.h"
 
@@ -10,7 +11,6 @@
 #include <osgDB/FileNameUtils>
 #include <osgDB/FileUtils>
 #include <osgDB/ReadFile>
-#include <osgDB/WriteFile>
 #include <osgDB/fstream>
 #include <osgGA/TrackballManipulator>
 #include <osgViewer/Viewer>
@@ -188,11 +188,7 @@ osg::ref_ptr<osg::Image> to8Bit(const osg::Image& image)
 void writeImage(osg::Image& image, const std::string& name)
 {
     const bool linear = osgDB::getLowerCaseFileExtension(name) == "exr";
-    const osg::ref_ptr<osg::Image> out = linear ? osg::ref_ptr<osg::Image>(&image) : to8Bit(image);
-    osgDB::ReaderWriter::WriteResult result = osgDB::Registry::instance()->writeImage(*out, name, nullptr);
-    if (!result.success())
-        throw std::runtime_error(
-            name + ": can't be written: " + (result.message().empty() ? "no plugin, or no such folder" : result.message()));
+    writeImageFile(linear ? image : *to8Bit(image), name);
 }
 
 void addOptions(CLI::App& app, Arguments& a)

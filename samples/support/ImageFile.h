@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osg/Image>
+
+#include <string>
+
+/** Write the image through osgDB, in the format that the name ends with. Throws std::runtime_error that names the file. */
+void writeImageFile(const osg::Image& image, const std::string& name);
