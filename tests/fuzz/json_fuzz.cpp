@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Any bytes: a scene description and a camera file are read, or refused with one message that names the file.
+// Any bytes: a scene description, a camera file and a list of lights are read, or refused with one message that names the file.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <sstream>
 #include <string>
 
+#include <osgEnvLight/LightFile>
 #include <osgEnvLight/SceneDescription>
 
 namespace
@@ -31,5 +32,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     error.clear();
     osgEnvLight::HomeView view;
     require(osgEnvLight::readCamera(camera, "fuzz", view, error), error);
+
+    std::istringstream list(text);
+    error.clear();
+    osgEnvLight::LightFile lights;
+    require(osgEnvLight::readLights(list, "fuzz", lights, error), error);
     return 0;
 }

@@ -138,6 +138,9 @@ void writeJsons(const fs::path& folder)
         "lights": []})";
     std::ofstream(folder / "model.json") << R"({"model": "a.obj"})";
     std::ofstream(folder / "camera.json") << R"({"eye": [1, 2, 3], "target": [0, 0, 0], "up": [0, 0, 1], "fovy": 30})";
+    std::ofstream(folder / "lights.json") << R"({"map": "a.exr", "sampler": "auto", "seed": 1, "residual": "b.exr", "stats": {},
+ "lights": [{"direction": [0, 0, 1], "flux": [1, 2, 3]}],
+ "suns": [{"direction": [1, 0, 0], "flux": [1, 2, 3], "radiusDeg": 1}]})";
 }
 
 }  // namespace

@@ -35,4 +35,5 @@ TEST(Install, AProgramOfItsOwnFindsThePackage)
         if (entry.path().parent_path().filename() == "osgPlugins-3.6.5") ++plugins;
     EXPECT_EQ(3, plugins);  // exr, envlight, serializers
     EXPECT_TRUE(std::filesystem::exists(prefix + "/bin/envlight-render"));
+    EXPECT_EQ(0, runProgram({prefix + "/bin/envlight-lights", "studio", "-o", folder.file("lights.json")}).status);
 }
