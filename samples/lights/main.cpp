@@ -13,6 +13,8 @@
 #include <chrono>
 #include <cmath>
 #include <iostream>
+#include <limits>
+#include <sstream>
 #include <stdexcept>
 
 namespace
@@ -66,10 +68,19 @@ void checkOutputs(const Arguments& a)
     for (const std::string& name : a.outputs) {
         if (!isPicture(name) && osgDB::getLowerCaseFileExtension(name) != "json")
             throw BadArguments("-o is '" + name + "', expected a name ending in .json or .png");
-        for (const std::string& written : {name, residualName(name)})
+        for (const std::string& written : {name, isPicture(name) ? name : residualName(name)})
             if (osgDB::fileExists(written) && osgDB::getRealPath(written) == osgDB::getRealPath(a.map))
                 throw BadArguments("-o is '" + name + "', which would write over the map");
     }
+}
+
+// Not CLI::Range, which lets NaN pass.
+void checkRange(const char* option, double value, double low, double high)
+{
+    if (value >= low && value <= high) return;
+    std::ostringstream text;
+    text << option << " is " << value << ", expected a number in " << low << ".." << high;
+    throw BadArguments(text.str());
 }
 
 // How many at most.
@@ -155,10 +166,8 @@ void addOptions(CLI::App& app, Arguments& a)
         "--suns", a.suns,
         "auto (default): small bright sources are cut from the map and listed apart; a number: that many at most; off");
     app.add_option("--seed", a.options.seed, "of samplers that place points; default 0");
-    app.add_option("--rotation", a.rotation, "degrees that the directions are turned, counter-clockwise about +Z")
-        ->check(CLI::Range(-1e6, 1e6));
-    app.add_option("--floor", a.options.floor, "uniform radiance, in units of the map's mean, that draws lights into dark parts")
-        ->check(CLI::Range(0.0, 1e6));
+    app.add_option("--rotation", a.rotation, "degrees that the directions are turned, counter-clockwise about +Z");
+    app.add_option("--floor", a.options.floor, "uniform radiance, in units of the map's mean, that draws lights into dark parts");
     app.add_option("--weights", a.weights,
                    "whether the lights are weighted to match the map's harmonics: auto (default), on, off");
     app.add_option("--layout", a.layout, "layout of the map where its shape does not say it: " + mapLayoutChoices());
@@ -171,6 +180,8 @@ int run(const Arguments& a)
 {
     addPluginPath();
     checkOutputs(a);
+    checkRange("--rotation", a.rotation, -1e6, 1e6);
+    checkRange("--floor", a.options.floor, 0.0, 1e6);
     writeOutputs(a, sampleMap(a));
     return 0;
 }
