@@ -172,23 +172,30 @@ double coverage(const Canvas& canvas, double radius, double angle)
     return glsl::clamp((radius - angle) / canvas.pixel + 0.5, 0.0, 1.0);
 }
 
-vec3 ownColor(const osg::Vec3d& flux)
-{
-    const double most = std::max({flux[0], flux[1], flux[2]});
-    return most > 0.0 ? glsl::srgbEncode3(toVec3(flux) / most) : vec3(0.25);
-}
-
 double sum(const osg::Vec3d& flux)
 {
     return flux[0] + flux[1] + flux[2];
+}
+
+double sum(const LightList& lights)
+{
+    double total = 0.0;
+    for (const auto& l : lights) total += sum(l.flux);
+    return total;
+}
+
+// As bright as it can be; dark grey for less than `least`, which is rounding.
+vec3 ownColor(const osg::Vec3d& flux, double least)
+{
+    const double most = std::max({flux[0], flux[1], flux[2]});
+    return most > least ? glsl::srgbEncode3(toVec3(flux) / most) : vec3(0.25);
 }
 
 // Radius of each dot: the area grows with the flux. All are smaller where lights crowd, so that most don't touch.
 std::vector<double> dotRadii(const Canvas& canvas, const LightList& lights)
 {
     const double count = double(lights.size());
-    double total = 0.0;
-    for (const auto& l : lights) total += sum(l.flux);
+    const double total = sum(lights);
     std::vector<double> radii;
     for (const auto& l : lights) {
         const double even = total > 0.0 ? sum(l.flux) / total * count : 1.0;  // 1 if all were alike
@@ -216,9 +223,10 @@ void paintDots(Canvas& canvas, const LightList& lights)
     std::iota(order.begin(), order.end(), size_t(0));
     std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return radii[a] > radii[b]; });
     const double line = std::min(1.2 * canvas.pixel, std::sqrt(4.0 * glsl::PI / double(lights.size())) / 16.0);
+    const double dark = 1e-9 * sum(lights) / double(lights.size());
     for (size_t i : order) {
         const double radius = radii[i];
-        const vec3 fill = ownColor(lights[i].flux);
+        const vec3 fill = ownColor(lights[i].flux, dark);
         canvas.visitDisc(toVec3(lights[i].direction), radius + 2.0 * line + canvas.pixel, [&](int x, int y, double angle) {
             canvas.blend(x, y, black, coverage(canvas, radius + 2.0 * line, angle));
             canvas.blend(x, y, white, coverage(canvas, radius + line, angle));
