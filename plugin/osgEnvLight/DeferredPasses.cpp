@@ -186,6 +186,7 @@ DeferredTechnique::PassInputs DeferredTechnique::compositeInputs(Cull& c)
 void DeferredTechnique::addComposite(Cull& c, osgUtil::CullVisitor& cv)
 {
     osg::StateSet& state = passState(c, "composite", compositeInputs(c));
+    if (c.settings.view == Settings::LIGHT_LIST) addSuns(state, c.view.textures());
     if (!c.frame.composite) c.frame.composite = new FullScreen("composite", &c.view.timer("composite"));
     prepare(*c.frame.composite, c);
     cv.pushStateSet(&state);

@@ -122,16 +122,17 @@ osg::ref_ptr<MapTextures> DeferredTechnique::currentTextures(const LitScene& nod
     const unsigned frame = cv.getFrameStamp() ? cv.getFrameStamp()->getFrameNumber() : _checkedFrame + 1;
     if (!_started || frame != _checkedFrame) {
         _checkedFrame = frame;
-        regenerate(map.state(), settings);
+        regenerate(map.state(), settings, map.getLights());
         osgViewer::View* view =
             cv.getRenderInfo().getView() ? dynamic_cast<osgViewer::View*>(cv.getRenderInfo().getView()) : nullptr;
         if (view && (_regenerator.busy() || (_textures && !_textures->settled()))) view->requestRedraw();
     }
-    if (_textures) _textures->use(MapOptions(settings));
+    if (_textures) _textures->use(MapOptions(settings, map.getLights()));
     return _textures;
 }
 
-void DeferredTechnique::regenerate(const MapState& state, const Settings& settings)
+void DeferredTechnique::regenerate(const MapState& state, const Settings& settings,
+                                   const std::shared_ptr<const LightList>& lights)
 {
     const unsigned framesUntilStill = 8;
     MapRegenerator::Result result;
@@ -143,7 +144,7 @@ void DeferredTechnique::regenerate(const MapState& state, const Settings& settin
         _started = true;
         _stillFrames = 0;
         MapTextures::Continuation former = _textures ? _textures->continuation(sameImage) : MapTextures::Continuation();
-        former.options = MapOptions(settings);
+        former.options = MapOptions(settings, lights);
         if (now)
             accept(MapRegenerator::make(state, former));
         else

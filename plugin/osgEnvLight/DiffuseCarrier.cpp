@@ -55,7 +55,7 @@ std::string DiffuseCarrier::describe() const
     if (harmonics)
         out << harmonics << " spherical harmonics";
     else
-        out << lights << " lights";
+        out << lights << (given ? " lights, the application's own" : " lights");
     if (error >= 0.0)
         out << std::fixed << std::setprecision(2) << ": they err by " << 100.0 * error << " % on this map, diffuseError is "
             << 100.0 * bound << " %";
@@ -108,13 +108,13 @@ DiffuseCarrier chooseCarrier(const RadianceMap& map, double bound, unsigned most
     DiffuseCarrier best;
     // Whether this candidate, dearer than all before it, will do.
     auto serves = [&](unsigned harmonics, unsigned lights, double error) {
-        if (best.error < 0.0 || error < best.error) best = {harmonics, lights, error, bound};
+        if (best.error < 0.0 || error < best.error) best = {harmonics, lights, error, bound, false};
         if (!former || former->error < 0.0) return error <= bound;
         const bool same = former->harmonics == harmonics && former->lights == lights;
         const unsigned had = former->harmonics ? former->harmonics : 18 + former->lights;
         const bool cheaper = (harmonics ? harmonics : 18 + lights) < had;
         const bool kept = error <= bound * (same ? hysteresis : cheaper ? 1.0 / hysteresis : 1.0);
-        if (kept) best = {harmonics, lights, error, bound};
+        if (kept) best = {harmonics, lights, error, bound, false};
         return kept;
     };
     const HarmonicsError harmonics = predictHarmonicsError(map);

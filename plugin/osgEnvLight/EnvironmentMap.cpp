@@ -2,6 +2,7 @@
 #include <osgEnvLight/EnvironmentMap>
 
 #include <osgEnvLight/BuiltinMaps>
+#include <osgEnvLight/LightFile>
 #include <osgEnvLight/RadianceHdr>
 #include <osgEnvLight/ReadMessage>
 
@@ -269,7 +270,9 @@ EnvironmentMap::EnvironmentMap(const EnvironmentMap& other, const osg::CopyOp& c
       _rotation(other._rotation),
       _intensity(other._intensity),
       _layout(other._layout),
-      _strict(other._strict)
+      _strict(other._strict),
+      _lights(other._lights),
+      _lightFile(other._lightFile)
 {
 }
 
@@ -299,6 +302,28 @@ void EnvironmentMap::setImage(osg::Image* image)
 {
     _image = image;
     _map = image ? image->getFileName() : "sky";
+}
+
+void EnvironmentMap::setLights(const std::shared_ptr<const LightList>& lights)
+{
+    _lights = lights;
+    _lightFile.clear();
+}
+
+bool EnvironmentMap::loadLights(const std::string& name, const osgDB::Options* options, std::string& error)
+{
+    const std::string path = osgDB::findDataFile(name, options);
+    if (path.empty() || osgDB::fileType(path) != osgDB::REGULAR_FILE) {
+        error = "lights '" + name + "': " + (path.empty() ? "no such file" : "not a file");
+        return false;
+    }
+    LightFile file;
+    if (!readLightFile(path, file, error)) return false;
+    auto lights = std::make_shared<LightList>(file.lights);
+    for (const DominantLight& sun : file.suns) lights->push_back({sun.direction, sun.flux});
+    _lights = lights;
+    _lightFile = path;
+    return true;
 }
 
 MapState MapState::copy() const

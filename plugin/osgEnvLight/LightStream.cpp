@@ -65,7 +65,7 @@ unsigned eighth(size_t slot)
 
 LightList LightStream::cold(const RadianceMap& map, unsigned count, const MapOptions& options) const
 {
-    const LightList list = samplerOf(options)->sample(map, count, options.sampling);
+    const LightList list = options.given ? *options.given : samplerOf(options)->sample(map, count, options.sampling);
     return _order == DEALT ? dealt(list, options.deal) : list;
 }
 
@@ -84,7 +84,7 @@ void LightStream::start(const RadianceMap& map, unsigned count, const MapOptions
 
 bool LightStream::goesOn(const RadianceMap& map, unsigned count, const MapOptions& options) const
 {
-    return options.sampler == Settings::SAMPLER_AUTO && count <= AutoSampler::largestRefined && count == _count &&
+    return !options.given && options.sampler == Settings::SAMPLER_AUTO && count <= AutoSampler::largestRefined && count == _count &&
            options.sameLists(_options) && !_lights.empty() && map.meanOfChannels() > 0.0;
 }
 

@@ -8,8 +8,9 @@ namespace osgEnvLight
 
 MapOptions::MapOptions() : MapOptions(*osg::ref_ptr<const Settings>(new Settings)) {}
 
-MapOptions::MapOptions(const Settings& s)
-    : sampler(s.lightSampler),
+MapOptions::MapOptions(const Settings& s, const std::shared_ptr<const LightList>& lights)
+    : given(lights),
+      sampler(s.lightSampler),
       deal(s.lightDeal == Settings::DEALT_RANDOM ? DEAL_RANDOM : DEAL_MOMENTS),
       suns(s.suns),
       diffuseCarrier(s.diffuseCarrier),
@@ -22,8 +23,8 @@ MapOptions::MapOptions(const Settings& s)
 
 bool MapOptions::sameLists(const MapOptions& o) const
 {
-    return std::tie(sampler, sampling.floor, sampling.weights, deal, suns) ==
-           std::tie(o.sampler, o.sampling.floor, o.sampling.weights, o.deal, o.suns);
+    return std::tie(given, sampler, sampling.floor, sampling.weights, deal, suns) ==
+           std::tie(o.given, o.sampler, o.sampling.floor, o.sampling.weights, o.deal, o.suns);
 }
 
 bool MapOptions::sameCarrier(const MapOptions& o) const

@@ -189,10 +189,12 @@ const DiffuseCarrier& MapTextures::carrier()
 {
     if (_carrierMade) return _carrier;
     _carrierMade = true;
-    if (_options.diffuseCarrier == Settings::SH) {
-        _carrier = {18, 0, -1.0, 0.0};
+    if (_options.given) {
+        _carrier = {0, unsigned(_options.given->size()), -1.0, 0.0, true};
+    } else if (_options.diffuseCarrier == Settings::SH) {
+        _carrier = {18, 0, -1.0, 0.0, false};
     } else if (_options.diffuseCarrier == Settings::LIGHTS) {
-        _carrier = {0, _options.diffuseLights, -1.0, 0.0};
+        _carrier = {0, _options.diffuseLights, -1.0, 0.0, false};
     } else {
         // Of the counts that are tried, the former's goes on from its lights; the others start cold.
         const LightStream former = _diffuse;

@@ -42,6 +42,7 @@ Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack
 
     Decision diffuse;
     diffuse.unless(!s.diffuse, "switched off").unless(mapIsBlack, "the map is black").unless(empty, "nothing to light");
+    diffuse.unless(carrier.given && carrier.lights == 0, "the application's list has no lights");
     plan.diffuse = diffuse.runs;
     plan.diffuseHarmonics = diffuse.runs ? carrier.harmonics : 0;
     plan.diffuseLights = diffuse.runs ? carrier.lights : 0;
@@ -73,10 +74,11 @@ Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack
     occlusion.unless(s.occlusionRadius <= 0.0f, "occlusionRadius is 0").unless(!(sceneRadius > 0.0), "the scene has no extent");
     plan.occlusion = occlusion.runs;
     if (occlusion.runs) {
-        plan.occlusionLights = (unsigned(s.occlusionLights) + 15) / 16 * 16;
+        const unsigned asked = carrier.given ? carrier.lights : unsigned(s.occlusionLights);
+        plan.occlusionLights = (asked + 15) / 16 * 16;
         occlusion.reason = count(plan.occlusionLights, "lights, ") + count(plan.occlusionLights / 16, "a pixel, ") +
                            count(unsigned(s.occlusionSteps), "points a ray");
-        if (plan.occlusionLights != unsigned(s.occlusionLights)) occlusion.reason += " (rounded up to a multiple of 16)";
+        if (plan.occlusionLights != asked) occlusion.reason += " (rounded up to a multiple of 16)";
     }
 
     plan.reasons = {{"gbuffer", true, count(surfaces.deferred, "drawables, ") + count(surfaces.forward, "drawn forward")},

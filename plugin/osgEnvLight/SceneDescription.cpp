@@ -76,13 +76,14 @@ MaterialDescription readMaterial(const Value& v, const std::string& name)
 
 void readEnvironment(const Value& v, SceneDescription& scene)
 {
-    v.object({"map", "layout", "rotation", "intensity", "strict"}, "an object with map");
+    v.object({"map", "layout", "rotation", "intensity", "strict", "lights"}, "an object with map");
     if (v.has("map")) scene.map = v["map"].string();
     if (v.has("layout") && !mapLayoutFromName(v["layout"].string(), scene.layout))
         v["layout"].fail("one of " + mapLayoutChoices());
     if (v.has("rotation")) scene.rotation = v["rotation"].number(-1e6, 1e6, "an angle in degrees");
     if (v.has("intensity")) scene.intensity = v["intensity"].number(0, 1e12, "a factor in 0..1e12");
     if (v.has("strict")) scene.strict = v["strict"].boolean();
+    if (v.has("lights")) scene.lights = v["lights"].string();
 }
 
 std::string settingText(const Value& v)
@@ -258,6 +259,8 @@ try {
     environment.setRotation(rotation);
     environment.setIntensity(intensity);
     if (!environment.load(map, local.get(), error)) throw std::runtime_error(fileName + ": key 'environment.map': " + error);
+    if (!lights.empty() && !environment.loadLights(lights, local.get(), error))
+        throw std::runtime_error(fileName + ": key 'environment.lights': " + error);
     for (const auto& [name, value] : settings)
         if (!lit->getSettings()->set(name, value, error)) throw std::runtime_error(fileName + ": " + error);
     if (camera) lit->setHomeView(*camera);

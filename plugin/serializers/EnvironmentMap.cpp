@@ -33,6 +33,27 @@ bool readMap(osgDB::InputStream& is, EnvironmentMap& map)
     return true;
 }
 
+bool checkLights(const EnvironmentMap& map)
+{
+    return !map.getLightFile().empty();
+}
+
+bool writeLights(osgDB::OutputStream& os, const EnvironmentMap& map)
+{
+    os.writeWrappedString(map.getLightFile());
+    os << std::endl;
+    return true;
+}
+
+bool readLights(osgDB::InputStream& is, EnvironmentMap& map)
+{
+    std::string name;
+    std::string error;
+    is.readWrappedString(name);
+    if (!map.loadLights(name, is.getOptions(), error)) OSG_WARN << "osgEnvLight: " << error << std::endl;
+    return true;
+}
+
 bool checkImage(const EnvironmentMap& map)
 {
     return map.getMap().empty() && map.getImage();
@@ -68,4 +89,6 @@ REGISTER_OBJECT_WRAPPER(osgEnvLight_EnvironmentMap, new osgEnvLight::Environment
     ADD_DOUBLE_SERIALIZER(Rotation, 0.0);
     ADD_DOUBLE_SERIALIZER(Intensity, 1.0);
     ADD_BOOL_SERIALIZER(Strict, false);
+    wrapper->addSerializer(new osgDB::UserSerializer<MyClass>("Lights", checkLights, readLights, writeLights),
+                           osgDB::BaseSerializer::RW_USER);
 }

@@ -84,22 +84,42 @@ vec3 occludedDiffuse(ivec2 p)
 
 #ifdef VIEW_TERM
 uniform int view;
+uniform int sunCount;
+uniform vec3 sunDirection[8];
+uniform float sunRadius[8];
 
-// The map with a disc at each light of the diffuse list, of its colour.
-vec3 lightsView(vec3 d)
+// The map with the lights of the diffuse list: a dot of each one's colour, its area by its flux, the borders of what is
+// nearest to each, and the suns that were cut, ringed.
+vec3 lightsView(vec3 d, float pixel)
 {
     vec3 c = 0.3 * textureLod(latlongMap, latlongFromDirection(d), 0.0).rgb * radianceScale;
     ivec2 size = textureSize(diffuseLightMap, 0);
+    float nearest = 4.0;
+    float second = 4.0;
+    vec3 flux = vec3(0.0);
+    float brightest = 0.0;
     for (int row = 0; row < size.y; row += 2)
         for (int i = 0; i < size.x; ++i) {
-            vec3 flux = texelFetch(diffuseLightMap, ivec2(i, row + 1), 0).rgb;
-            if (dot(d, texelFetch(diffuseLightMap, ivec2(i, row), 0).xyz) > 0.99995)
-                c = flux / max(max(flux.r, max(flux.g, flux.b)), 1e-20);
+            vec3 f = texelFetch(diffuseLightMap, ivec2(i, row + 1), 0).rgb;
+            vec3 to = texelFetch(diffuseLightMap, ivec2(i, row), 0).xyz - d;
+            float chord2 = dot(to, to);
+            brightest = max(brightest, f.r + f.g + f.b);
+            second = min(second, max(nearest, chord2));
+            if (chord2 < nearest) flux = f;
+            nearest = min(nearest, chord2);
         }
+    float radius = max(0.03 * sqrt((flux.r + flux.g + flux.b) / max(brightest, 1e-20)), 2.0 * pixel);
+    if (sqrt(second) - sqrt(nearest) < 1.5 * pixel) c = vec3(0.15, 0.4, 0.15);
+    if (sqrt(nearest) < radius + 1.5 * pixel) c = vec3(0.0);
+    if (sqrt(nearest) < radius) c = flux / max(max(flux.r, max(flux.g, flux.b)), 1e-20);
+    for (int i = 0; i < sunCount; ++i) {
+        float ring = length(sunDirection[i] - d) - max(sunRadius[i], 0.02);
+        if (abs(ring) < 1.5 * pixel) c = vec3(1.0, 0.1, 0.8);
+    }
     return c;
 }
 
-vec3 termView(ivec2 p, vec3 d)
+vec3 termView(ivec2 p, vec3 d, float pixel)
 {
     if (view == VIEW_DIFFUSE) return diffuseTerm(p) + sunDiffuse(p);
     if (view == VIEW_SPECULAR) return specularTerm(p);
@@ -111,7 +131,7 @@ vec3 termView(ivec2 p, vec3 d)
 #ifdef HAS_OCCLUSION
     if (view == VIEW_VISIBILITY) return occludedDiffuse(p) / max(diffuseTerm(p), vec3(1e-20));
 #endif
-    if (view == VIEW_LIGHTS) return lightsView(d);
+    if (view == VIEW_LIGHTS) return lightsView(d, pixel);
     return vec3(1.0);
 }
 #endif
@@ -122,9 +142,12 @@ void main()
     float depth = texelFetch(depthMap, p, 0).r;
     gl_FragDepth = depth;
     vec3 d = mapFromEye * viewRay(inverseProjection, pixelNdc(p));
+#ifdef VIEW_TERM
+    float pixel = length(dFdx(d));
+#endif
     if (depth >= 1.0) {
 #ifdef VIEW_TERM
-        color = vec4(view == VIEW_LIGHTS ? display(lightsView(d), p) : vec3(0.0), 0.0);
+        color = vec4(view == VIEW_LIGHTS ? display(lightsView(d, pixel), p) : vec3(0.0), 0.0);
 #elif defined(BACKGROUND)
         color = vec4(display(background(d), p), 0.0);
 #else
@@ -133,7 +156,7 @@ void main()
         return;
     }
 #ifdef VIEW_TERM
-    color = vec4(display(termView(p, d), p), 1.0);
+    color = vec4(display(termView(p, d, pixel), p), 1.0);
 #else
     vec3 radiance = texelFetch(emissionMap, p, 0).rgb + specularTerm(p) + sunDiffuse(p) + occludedDiffuse(p);
     color = vec4(display(radiance, p), 1.0);
