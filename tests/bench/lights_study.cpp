@@ -105,6 +105,7 @@ class Study
             << "set output '" << (_folder / (name + ".svg")).string() << "'\n"
             << "set title '" << title << ", geometric mean of " << _means.maps << " real maps'\n"
             << "set logscale xy\nset grid\nset key bottom left\n"
+            << "set xrange [13:5000]\nset linetype 5 linecolor rgb '#a04000'\n"
             << "set xlabel 'lights N'\nset ylabel 'relative RMS error'\nset format y '%g'\n"
             << "set xtics (16, 32, 64, 128, 256, 512, 1024, 2048, 4096)\n";
         for (const char* sampler : LightSampler::names()) {
