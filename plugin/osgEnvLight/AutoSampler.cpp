@@ -3,15 +3,12 @@
 
 #include <osgEnvLight/LightClusters>
 
-#include <algorithm>
-#include <cmath>
-
 namespace osgEnvLight
 {
 
 LightList AutoSampler::place(const RadianceMap& map, unsigned count, const Options& options) const
 {
-    const MomentTable table(map, int(std::max(512.0, 32.0 * std::sqrt(double(count)))), options.floor);
+    const MomentTable table(map, MomentTable::columnsFor(count), options.floor);
     if (count > largestRefined) {
         LightList lights;
         for (const LightRegion& r : divideRegions(table, {wholeRegion(table)}, count, RegionRule()))

@@ -20,12 +20,12 @@ osg::Vec3d centroid(const Moments& m, const osg::Vec3d& otherwise)
     return m.flux > 0.0 && length > 1e-12 * m.flux ? m.vector / length : otherwise;
 }
 
-std::vector<LightRegion> cellsOf(const MomentTable& table, std::vector<LightRegion> start, unsigned count)
+std::vector<LightRegion> cellsOf(const MomentTable& table, std::vector<LightRegion> start, size_t count)
 {
     RegionRule rule;
     rule.exponent = 1.0;
     rule.bestAxis = false;
-    return divideRegions(table, std::move(start), LightClusters::microCells(count), rule);
+    return divideRegions(table, std::move(start), count, rule);
 }
 
 }  // namespace
@@ -43,13 +43,15 @@ LightClusters::LightClusters(const MomentTable& table, unsigned count)
         r.owner = unsigned(i);
         _generators.push_back(centroid(r.deciding, table.direction(0.5 * (r.u0 + r.u1), 0.5 * (r.v0 + r.v1))));
     }
-    setCells(cellsOf(table, std::move(regions), count));
+    setCells(cellsOf(table, std::move(regions), microCells(count)));
     _assigned = true;
 }
 
 LightClusters::LightClusters(const MomentTable& table, std::vector<osg::Vec3d> generators) : _generators(std::move(generators))
 {
-    setCells(cellsOf(table, {wholeRegion(table)}, unsigned(_generators.size())));
+    // Dividing into cells takes the time; of long lists half as many do.
+    const unsigned count = unsigned(_generators.size());
+    setCells(cellsOf(table, {wholeRegion(table)}, microCells(count) / (count > 256 ? 2 : 1)));
 }
 
 void LightClusters::setCells(const std::vector<LightRegion>& regions)

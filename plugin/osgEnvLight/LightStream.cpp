@@ -23,7 +23,7 @@ osg::ref_ptr<const LightSampler> samplerOf(const MapOptions& options)
 
 MomentTable tableOf(const RadianceMap& map, unsigned count, const MapOptions& options)
 {
-    return MomentTable(map, std::max(512, int(32.0 * std::sqrt(double(count)))), options.sampling.floor);
+    return MomentTable(map, MomentTable::columnsFor(count), options.sampling.floor);
 }
 
 // Flux per channel in cells of 11 degrees.

@@ -34,32 +34,34 @@ class BilinearMap
   public:
     explicit BilinearMap(const RadianceMap& map) : _map(map) {}
 
-    void add(const osg::Vec2d& uv, float share, Rgb& sum) const
+    /** At texel coordinates (0, 0) .. (width, height), x wrapping by at most one turn. */
+    void add(float u, float v, float share, Rgb& sum) const
     {
-        double x = uv.x() * _map.width - 0.5;
-        if (x < 0.0) x += _map.width;
-        if (x >= _map.width) x -= _map.width;
-        const double y = std::clamp(uv.y() * _map.height - 0.5, 0.0, double(_map.height - 1));
-        const int x0 = std::min(int(x), _map.width - 1);
+        float x = u - 0.5f;
+        if (x < 0.0f) x += float(_map.width);
+        const float y = std::clamp(v - 0.5f, 0.0f, float(_map.height - 1));
+        int x0 = int(x);
+        const float a = x - float(x0);
+        if (x0 >= _map.width) x0 -= _map.width;
         const int x1 = x0 + 1 == _map.width ? 0 : x0 + 1;
         const int y0 = int(y);
         const int y1 = std::min(y0 + 1, _map.height - 1);
-        const float a = float(x - x0);
-        const float b = float(y - y0);
-        const float w00 = (1 - a) * (1 - b) * share;
-        const float w10 = a * (1 - b) * share;
-        const float w01 = (1 - a) * b * share;
-        const float w11 = a * b * share;
-        const float* t00 = _map.texel(x0, y0);
-        const float* t10 = _map.texel(x1, y0);
-        const float* t01 = _map.texel(x0, y1);
-        const float* t11 = _map.texel(x1, y1);
-        sum.r += w00 * t00[0] + w10 * t10[0] + w01 * t01[0] + w11 * t11[0];
-        sum.g += w00 * t00[1] + w10 * t10[1] + w01 * t01[1] + w11 * t11[1];
-        sum.b += w00 * t00[2] + w10 * t10[2] + w01 * t01[2] + w11 * t11[2];
+        const float b = (y - float(y0)) * share;
+        const float t = share - b;
+        add(_map.texel(0, y0), x0, x1, t - t * a, t * a, sum);
+        add(_map.texel(0, y1), x0, x1, b - b * a, b * a, sum);
     }
 
   private:
+    static void add(const float* row, int x0, int x1, float w0, float w1, Rgb& sum)
+    {
+        const float* t0 = row + 3 * x0;
+        const float* t1 = row + 3 * x1;
+        sum.r += w0 * t0[0] + w1 * t1[0];
+        sum.g += w0 * t0[1] + w1 * t1[1];
+        sum.b += w0 * t0[2] + w1 * t1[2];
+    }
+
     const RadianceMap& _map;
 };
 
@@ -93,10 +95,32 @@ class TexelCoordinates
         _linear = high - low < 0.02 && onOneFace(x, y, _side);
     }
 
-    osg::Vec2d at(double s, double t) const
+    /** Averages as many look-ups across as it is wide in texels of the map, from 2 to 8 (more only where the whole map is so
+     * much finer), 4 where it is not linear.*/
+    Rgb mean(const BilinearMap& map, float width, float height) const
     {
-        if (!_linear) return exactCoordinates(_x + s, _y + t, _side);
-        return (_corner[0] * (1 - s) + _corner[1] * s) * (1 - t) + (_corner[2] * (1 - s) + _corner[3] * s) * t;
+        Rgb sum{0.0f, 0.0f, 0.0f};
+        const unsigned most = std::max(8u, unsigned(width) / _side);
+        osg::Vec2f corner[4];
+        for (int k = 0; k < 4; ++k) corner[k].set(float(_corner[k].x()) * width, float(_corner[k].y()) * height);
+        const float extent = std::max((corner[3] - corner[0]).length(), (corner[2] - corner[1]).length());
+        const unsigned sub = _linear ? std::clamp(unsigned(std::ceil(0.75f * extent)), 2u, most) : std::max(4u, most / 2);
+        const float share = 1.0f / float(sub * sub);
+        for (unsigned j = 0; j < sub; ++j) {
+            const float t = (float(j) + 0.5f) / float(sub);
+            const osg::Vec2f left = corner[0] + (corner[2] - corner[0]) * t;
+            const osg::Vec2f across = corner[1] + (corner[3] - corner[1]) * t - left;
+            for (unsigned i = 0; i < sub; ++i) {
+                const float s = (float(i) + 0.5f) / float(sub);
+                if (_linear) {
+                    map.add(left.x() + across.x() * s, left.y() + across.y() * s, share, sum);
+                } else {
+                    const osg::Vec2d uv = exactCoordinates(_x + double(s), _y + double(t), _side);
+                    map.add(float(uv.x()) * width, float(uv.y()) * height, share, sum);
+                }
+            }
+        }
+        return sum;
     }
 
   private:
@@ -107,21 +131,15 @@ class TexelCoordinates
     bool _linear;
 };
 
-// Level 0: each texel averages as many look-ups as it covers texels of the map, at least 3 x 3. Solid angle changes by less
+// Level 0: each texel averages as many look-ups as it covers texels of the map. Solid angle changes by less
 // than 3 / side over a texel and evenly: one weight for all of them is right to second order.
 Level baseLevel(const RadianceMap& map, const OctahedralGrid& grid)
 {
     Level level(grid.side());
     const BilinearMap bilinear(map);
-    const unsigned sub = std::max(3u, unsigned(map.width) / level.side);
-    const float share = 1.0f / float(sub * sub);
     for (unsigned y = 0; y < level.side; ++y)
         for (unsigned x = 0; x < level.side; ++x) {
-            const TexelCoordinates texel(grid, x, y);
-            Rgb sum{0.0f, 0.0f, 0.0f};
-            for (unsigned j = 0; j < sub; ++j)
-                for (unsigned i = 0; i < sub; ++i) bilinear.add(texel.at((i + 0.5) / sub, (j + 0.5) / sub), share, sum);
-            level.radiance[level.index(x, y)] = sum;
+            level.radiance[level.index(x, y)] = TexelCoordinates(grid, x, y).mean(bilinear, float(map.width), float(map.height));
             level.solidAngle[level.index(x, y)] =
                 float(glsl::octahedralSolidAngleDensity((glsl::vec2(x, y) + 0.5) / double(level.side)));
         }

@@ -29,6 +29,11 @@ T linear(const std::vector<T>& sums, double x)
 
 }  // namespace
 
+int MomentTable::columnsFor(unsigned lights)
+{
+    return std::max(512, int(32.0 * std::sqrt(double(lights))));
+}
+
 MomentTable::MomentTable(const RadianceMap& map, int columns, double floor) : _floor(floor * map.meanOfChannels())
 {
     _block = std::max({map.width / std::clamp(columns, 64, 1024), (map.width + 1023) / 1024, 1});
@@ -38,65 +43,68 @@ MomentTable::MomentTable(const RadianceMap& map, int columns, double floor) : _f
     _height = (map.height * _repeatY + _block - 1) / _block;
     _columns = double(map.width * _repeatX) / _block;
     _rows = double(map.height * _repeatY) / _block;
-    _cells.resize(size_t(_width + 1) * size_t(_height + 1));
-    sumBlocks(map);
-    accumulate();
+    const int fineWidth = map.width * _repeatX;
+    _azimuth.resize(size_t(fineWidth));
+    for (int x = 0; x < fineWidth; ++x) {
+        const glsl::vec3 d = glsl::directionFromLatlong(glsl::vec2((x + 0.5) / fineWidth, 0.5));
+        _azimuth[size_t(x)].set(d.x, d.y);
+    }
+    _cells.reset(new Cell[size_t(_width + 1) * size_t(_height + 1)]);
+    std::vector<Cell> sums(size_t(_width) + 1, Cell{});
+    std::copy(sums.begin(), sums.end(), &cell(0, 0));
+    for (int y = 0; y < _height; ++y) {
+        std::fill(sums.begin(), sums.end(), Cell{});
+        const int end = std::min((y + 1) * _block, map.height * _repeatY);
+        for (int row = y * _block; row < end; ++row) sumBlocks(map, row, sums);
+        accumulate(y + 1, sums);
+    }
     if (hasFloor()) prepareFloor();
 }
 
-void MomentTable::sumBlocks(const RadianceMap& map)
+// Adds a row of the map to the cells 1 .. width of a row of the table.
+void MomentTable::sumBlocks(const RadianceMap& map, int row, std::vector<Cell>& sums) const
 {
-    const int fineWidth = map.width * _repeatX;
-    const int fineHeight = map.height * _repeatY;
-    const glsl::vec2 size(fineWidth, fineHeight);
-    _azimuth.resize(size_t(fineWidth));
-    for (int x = 0; x < fineWidth; ++x) {
-        const glsl::vec3 d = glsl::directionFromLatlong(glsl::vec2((x + 0.5) / size.x, 0.5));
-        _azimuth[size_t(x)].set(d.x, d.y);
-    }
-    for (int y = 0; y < fineHeight; ++y) {
-        const double solidAngle = glsl::latlongTexelSolidAngle(y, size);
-        const double theta = glsl::PI * (y + 0.5) / size.y;
-        const double sinTheta = solidAngle * std::sin(theta) / 3.0;
-        const double cosTheta = solidAngle * std::cos(theta) / 3.0;
-        for (int bx = 0; bx < _width; ++bx) {
-            double r = 0.0, g = 0.0, b = 0.0, lx = 0.0, ly = 0.0;
-            const int end = std::min((bx + 1) * _block, fineWidth);
-            for (int x = bx * _block; x < end; ++x) {
-                const float* t = map.texel(_repeatX == 1 ? x : x / _repeatX, y / _repeatY);
-                const double red = double(t[0]), green = double(t[1]), blue = double(t[2]);
-                const double l = red + green + blue;
-                const osg::Vec2d& a = _azimuth[size_t(x)];
-                lx += l * a.x();
-                ly += l * a.y();
-                r += red;
-                g += green;
-                b += blue;
-            }
-            double* c = cell(bx + 1, y / _block + 1).value;
-            const double l = r + g + b;
-            c[0] += l * solidAngle / 3.0;
-            c[1] += lx * sinTheta;
-            c[2] += ly * sinTheta;
-            c[3] += l * cosTheta;
-            c[4] += r * solidAngle;
-            c[5] += g * solidAngle;
-            c[6] += b * solidAngle;
+    const int fineWidth = int(_azimuth.size());
+    const glsl::vec2 size(fineWidth, map.height * _repeatY);
+    const double solidAngle = glsl::latlongTexelSolidAngle(row, size);
+    const double theta = glsl::PI * (row + 0.5) / size.y;
+    const double sinTheta = solidAngle * std::sin(theta) / 3.0;
+    const double cosTheta = solidAngle * std::cos(theta) / 3.0;
+    for (int bx = 0; bx < _width; ++bx) {
+        double r = 0.0, g = 0.0, b = 0.0, lx = 0.0, ly = 0.0;
+        const int end = std::min((bx + 1) * _block, fineWidth);
+        for (int x = bx * _block; x < end; ++x) {
+            const float* t = map.texel(_repeatX == 1 ? x : x / _repeatX, row / _repeatY);
+            const double red = double(t[0]), green = double(t[1]), blue = double(t[2]);
+            const double l = red + green + blue;
+            const osg::Vec2d& a = _azimuth[size_t(x)];
+            lx += l * a.x();
+            ly += l * a.y();
+            r += red;
+            g += green;
+            b += blue;
         }
+        double* c = sums[size_t(bx) + 1].value;
+        const double l = r + g + b;
+        c[0] += l * solidAngle / 3.0;
+        c[1] += lx * sinTheta;
+        c[2] += ly * sinTheta;
+        c[3] += l * cosTheta;
+        c[4] += r * solidAngle;
+        c[5] += g * solidAngle;
+        c[6] += b * solidAngle;
     }
 }
 
-void MomentTable::accumulate()
+void MomentTable::accumulate(int row, const std::vector<Cell>& sums)
 {
-    for (int y = 1; y <= _height; ++y) {
-        Cell row{};
-        for (int x = 1; x <= _width; ++x) {
-            Cell& c = cell(x, y);
-            const Cell& above = cell(x, y - 1);
-            for (int k = 0; k < 8; ++k) {
-                row.value[k] += c.value[k];
-                c.value[k] = above.value[k] + row.value[k];
-            }
+    Cell left{};
+    for (int x = 0; x <= _width; ++x) {
+        Cell& c = cell(x, row);
+        const Cell& above = cell(x, row - 1);
+        for (int k = 0; k < 8; ++k) {
+            left.value[k] += sums[size_t(x)].value[k];
+            c.value[k] = above.value[k] + left.value[k];
         }
     }
 }

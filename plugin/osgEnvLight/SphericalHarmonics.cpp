@@ -34,30 +34,55 @@ double polarPart(int i, double theta)
     return glsl::shBasis18(i, glsl::vec3(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)));
 }
 
+// Fourier sums of one row, orders 0 to 4. Half a turn on, even orders repeat and odd ones change sign: where the width is
+// even, sums and differences of opposite texels take half the products.
+class RowSums
+{
+  public:
+    explicit RowSums(int width) : _step(width % 2 ? 0 : width / 2), _count(size_t(_step ? _step : width))
+    {
+        for (size_t x = 0; x < _count; ++x)
+            for (size_t m = 0; m < 5; ++m) {
+                const double phi = glsl::TWO_PI * (0.5 - (double(x) + 0.5) / width);
+                _waves.push_back(std::cos(double(m) * phi));
+                _waves.push_back(std::sin(double(m) * phi));
+            }
+    }
+
+    void sum(const float* row, std::array<osg::Vec3d, 5>& cosines, std::array<osg::Vec3d, 5>& sines) const
+    {
+        double sums[10][3] = {};
+        const double* wave = _waves.data();
+        for (size_t x = 0; x < _count; ++x, wave += 10) {
+            const float* t = row + 3 * x;
+            const float* opposite = t + 3 * _step;
+            for (int k = 0; k < 3; ++k) {
+                const double even = _step ? double(t[k]) + double(opposite[k]) : double(t[k]);
+                const double odd = _step ? double(t[k]) - double(opposite[k]) : double(t[k]);
+                for (int m = 0; m < 10; ++m) sums[m][k] += wave[m] * (m / 2 % 2 ? odd : even);
+            }
+        }
+        for (size_t m = 0; m < 5; ++m) {
+            cosines[m].set(sums[2 * m][0], sums[2 * m][1], sums[2 * m][2]);
+            sines[m].set(sums[2 * m + 1][0], sums[2 * m + 1][1], sums[2 * m + 1][2]);
+        }
+    }
+
+  private:
+    int _step;
+    size_t _count;
+    std::vector<double> _waves;  // cos and sin of each order, column by column
+};
+
 std::array<osg::Vec3d, 18> project(const RadianceMap& map)
 {
     // Separable: Fourier sums along each row, then the polar parts.
-    const size_t width = size_t(map.width);
-    std::vector<std::array<double, 5>> cosines(width);
-    std::vector<std::array<double, 5>> sines(width);
-    for (size_t x = 0; x < width; ++x)
-        for (size_t m = 0; m < 5; ++m) {
-            double phi = glsl::TWO_PI * (0.5 - (double(x) + 0.5) / double(width));
-            cosines[x][m] = std::cos(double(m) * phi);
-            sines[x][m] = std::sin(double(m) * phi);
-        }
+    const RowSums rows(map.width);
     std::array<osg::Vec3d, 18> result;
     for (int y = 0; y < map.height; ++y) {
         std::array<osg::Vec3d, 5> c;
         std::array<osg::Vec3d, 5> s;
-        for (size_t x = 0; x < width; ++x) {
-            const float* t = map.texel(int(x), y);
-            osg::Vec3d radiance(t[0], t[1], t[2]);
-            for (size_t m = 0; m < 5; ++m) {
-                c[m] += radiance * cosines[x][m];
-                s[m] += radiance * sines[x][m];
-            }
-        }
+        rows.sum(map.texel(0, y), c, s);
         double theta = glsl::PI * (y + 0.5) / map.height;
         double solidAngle = glsl::latlongTexelSolidAngle(y, glsl::vec2(map.width, map.height));
         for (int i = 0; i < 18; ++i) {

@@ -3,15 +3,12 @@
 
 #include <osgEnvLight/LightRegions>
 
-#include <algorithm>
-#include <cmath>
-
 namespace osgEnvLight
 {
 
 LightList SplitSampler::place(const RadianceMap& map, unsigned count, const Options& options) const
 {
-    const MomentTable table(map, int(std::max(512.0, 32.0 * std::sqrt(double(count)))), options.floor);
+    const MomentTable table(map, MomentTable::columnsFor(count), options.floor);
     LightList lights;
     lights.reserve(count);
     for (const LightRegion& r : divideRegions(table, {wholeRegion(table)}, count, RegionRule()))
