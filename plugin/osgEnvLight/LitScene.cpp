@@ -15,7 +15,6 @@ LitScene::LitScene(osg::Image* image)
 {
     setCullingActive(false);  // the background shows where the bound does not
     setNumChildrenRequiringEventTraversal(getNumChildrenRequiringEventTraversal() + 1);
-    setNumChildrenRequiringUpdateTraversal(getNumChildrenRequiringUpdateTraversal() + 1);
 }
 
 LitScene::LitScene(const LitScene& other, const osg::CopyOp& copyop)
@@ -28,7 +27,6 @@ LitScene::LitScene(const LitScene& other, const osg::CopyOp& copyop)
 {
     setCullingActive(false);
     setNumChildrenRequiringEventTraversal(getNumChildrenRequiringEventTraversal() + 1);
-    setNumChildrenRequiringUpdateTraversal(getNumChildrenRequiringUpdateTraversal() + 1);
 }
 
 LitScene::~LitScene() = default;
@@ -49,14 +47,25 @@ void LitScene::traverse(osg::NodeVisitor& nv)
         osgUtil::CullVisitor* cv = nv.asCullVisitor();
         if (cv && _technique->cull(*this, *cv)) return;
     }
-    // A sequence of images goes on by this call; of a texture in the graph, OSG would make it.
     osg::Image* image = _map->getImage();
-    if (nv.getVisitorType() == osg::NodeVisitor::UPDATE_VISITOR && image && image->requiresUpdateCall()) image->update(&nv);
+    const bool plays = image && image->requiresUpdateCall();
+    if (nv.getVisitorType() == osg::NodeVisitor::EVENT_VISITOR) askForUpdates(plays);
+    // A sequence of images goes on by this call; for a texture in the graph, OSG would make it.
+    if (nv.getVisitorType() == osg::NodeVisitor::UPDATE_VISITOR && plays) image->update(&nv);
     if (nv.getVisitorType() == osg::NodeVisitor::EVENT_VISITOR && nv.asEventVisitor()) {
         if (_homeView && !_homeGiven) goHome(*nv.asEventVisitor());
         handleEvents(*nv.asEventVisitor());
     }
     osg::Group::traverse(nv);
+}
+
+// Only while there is something to update: a viewer that draws on demand would draw all the time.
+void LitScene::askForUpdates(bool needed)
+{
+    if (needed == _updates) return;
+    _updates = needed;
+    const unsigned others = getNumChildrenRequiringUpdateTraversal() - (needed ? 0 : 1);
+    setNumChildrenRequiringUpdateTraversal(needed ? others + 1 : others);
 }
 
 void LitScene::goHome(osgGA::EventVisitor& ev)

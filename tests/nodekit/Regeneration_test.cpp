@@ -161,3 +161,21 @@ TEST(Regeneration, ASequenceOfImagesPlays)
     EXPECT_LT(lowest, 2.5);
     EXPECT_GT(highest, lowest + 0.9);
 }
+
+TEST(Regeneration, UpdatesAreAskedForOnlyWhileASequencePlays)
+{
+    SceneRenderer renderer(16, 16);
+    osg::ref_ptr<LitScene> lit = whiteSphere(constantMap(1.0).get());
+    renderer.render(lit, 2);
+    EXPECT_EQ(lit->getNumChildrenRequiringUpdateTraversal(), 0u);  // a viewer on demand would draw for ever
+    osg::ref_ptr<osg::ImageSequence> sequence = new osg::ImageSequence;
+    sequence->addImage(constantMap(1.0).get());
+    sequence->addImage(constantMap(2.0).get());
+    sequence->play();
+    lit->getEnvironmentMap()->setImage(sequence.get());
+    renderer.render(lit, 2);
+    EXPECT_EQ(lit->getNumChildrenRequiringUpdateTraversal(), 1u);
+    lit->getEnvironmentMap()->setImage(constantMap(1.0).get());
+    renderer.render(lit, 2);
+    EXPECT_EQ(lit->getNumChildrenRequiringUpdateTraversal(), 0u);
+}
