@@ -145,10 +145,12 @@ void DeferredTechnique::regenerate(const MapState& state, const Settings& settin
         _stillFrames = 0;
         MapTextures::Continuation former = _textures ? _textures->continuation(sameImage) : MapTextures::Continuation();
         former.options = MapOptions(settings, lights);
-        if (now)
+        if (now) {
+            _regenerator.discard();
             accept(MapRegenerator::make(state, former));
-        else
+        } else {
             _regenerator.post(state, former);
+        }
     } else if (++_stillFrames >= framesUntilStill && _textures && !_textures->settled() && !_regenerator.busy()) {
         _regenerator.postSettle(*_textures);
     }

@@ -31,12 +31,6 @@ double solidAngleOf(double radius)
     return glsl::TWO_PI * (1.0 - std::cos(radius));
 }
 
-osg::Vec3d normalized(osg::Vec3d v)
-{
-    v.normalize();
-    return v;
-}
-
 // The map as brightness, with its neighbourhoods: columns wrap, a pole row joins its opposite column.
 class Sphere
 {
@@ -62,8 +56,8 @@ class Sphere
     }
     double brightness(int i) const
     {
-        const float* t = _map.texel(i % width, i / width);
-        return (double(t[0]) + double(t[1]) + double(t[2])) / 3.0;
+        const osg::Vec3d c = radiance(i);
+        return (c[0] + c[1] + c[2]) / 3.0;
     }
     double solidAngle(int i) const { return _solidAngle[size_t(i / width)]; }
     osg::Vec3d direction(int i) const
@@ -160,7 +154,7 @@ struct Measure {
             square += l * l * w;
             vector += sphere.direction(i) * (l * w);
         }
-        centre = normalized(vector);
+        centre = vector / vector.length();
         double cosine = 1.0;
         for (int i : texels) cosine = std::min(cosine, centre * sphere.direction(i));
         reach = std::acos(std::max(cosine, -1.0));
@@ -347,7 +341,7 @@ DominantLight take(const Sphere& sphere, const Texels& cut, RadianceMap& residua
         flux += taken * w;
         square += taken * taken * w;
     }
-    light.direction = normalized(vector);
+    light.direction = vector / vector.length();
     light.radius = discRadius(sphere, light.direction, vector, flux, square);
     return light;
 }

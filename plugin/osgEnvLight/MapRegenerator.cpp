@@ -49,10 +49,20 @@ void MapRegenerator::enqueue(Job job)
     _wake.notify_one();
 }
 
+void MapRegenerator::discard()
+{
+    std::lock_guard<std::mutex> lock(_mutex);
+    _job = Job();
+    _hasJob = false;
+    _result = Result();
+    _hasResult = false;
+    _discarded = _working;
+}
+
 bool MapRegenerator::busy() const
 {
     std::lock_guard<std::mutex> lock(_mutex);
-    return _hasJob || _working || _hasResult;
+    return _hasJob || (_working && !_discarded) || _hasResult;
 }
 
 bool MapRegenerator::take(Result& result)
@@ -90,8 +100,11 @@ void MapRegenerator::run()
         job = Job();
         lock.lock();
         _working = false;
-        _result = std::move(result);
-        _hasResult = true;
+        if (!_discarded) {
+            _result = std::move(result);
+            _hasResult = true;
+        }
+        _discarded = false;
     }
 }
 

@@ -69,6 +69,22 @@ TEST(Regeneration, NeverHalfOldAndHalfNewAndSeenOnceReady)
     }
 }
 
+TEST(Regeneration, NothingOlderThanWhatWasMadeAtOnce)
+{
+    SceneRenderer renderer(16, 16);
+    osg::ref_ptr<osg::Image> map = makeMap(1024, 512, [](const osg::Vec3d&) { return osg::Vec3d(1, 1, 1); });
+    osg::ref_ptr<LitScene> lit = whiteSphere(map.get());
+    renderer.render(lit, 2);
+    fill(*map, 2.0f);
+    renderer.render(lit, 1);  // on the thread, which takes a while
+    lit->getSettings()->regeneration = Settings::IMMEDIATE;
+    fill(*map, 3.0f);
+    for (int i = 0; i < 100; ++i) {
+        EXPECT_NEAR(renderer.render(lit, 1).color(8, 8)[0], 3.0, 0.015) << i;
+        std::this_thread::sleep_for(std::chrono::milliseconds(3));
+    }
+}
+
 TEST(Regeneration, RotationAndIntensityRebuildNothing)
 {
     SceneRenderer renderer(32, 32);

@@ -67,7 +67,7 @@ osg::ref_ptr<osg::Image> reduced(const osg::Image& source, int width)
         for (int x = 0; x < source.s(); ++x) {
             const osg::Vec4 c = source.getColor(unsigned(x), unsigned(source.t() - 1 - y));
             float* t = texelOf(*image, x / block, y / block);
-            for (int k = 0; k < 3; ++k) t[k] += float(share * std::max(double(c[k]), 0.0));
+            for (int k = 0; k < 3; ++k) t[k] += float(share * std::max(double(c[unsigned(k)]), 0.0));
         }
     }
     return image;
