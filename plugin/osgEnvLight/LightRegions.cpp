@@ -161,8 +161,7 @@ double spread(const Moments& m)
 DirectionalLight regionLight(const LightRegion& r, const MomentTable& table)
 {
     const Moments& m = r.light.flux > 0.0 ? r.light : r.deciding;
-    osg::Vec3d d =
-        m.vector.length() > 1e-12 * m.flux ? m.vector : table.direction(0.5 * (r.u0 + r.u1), 0.5 * (r.v0 + r.v1));
+    osg::Vec3d d = m.vector.length() > 1e-12 * m.flux ? m.vector : table.direction(0.5 * (r.u0 + r.u1), 0.5 * (r.v0 + r.v1));
     d.normalize();
     // A channel that the region lacks may come out slightly negative beside areas bright in it.
     return {d, osg::Vec3d(std::max(r.light.rgb[0], 0.0), std::max(r.light.rgb[1], 0.0), std::max(r.light.rgb[2], 0.0))};

@@ -84,8 +84,8 @@ void LightStream::start(const RadianceMap& map, unsigned count, const MapOptions
 
 bool LightStream::goesOn(const RadianceMap& map, unsigned count, const MapOptions& options) const
 {
-    return !options.given && options.sampler == Settings::SAMPLER_AUTO && count <= AutoSampler::largestRefined && count == _count &&
-           options.sameLists(_options) && !_lights.empty() && map.meanOfChannels() > 0.0;
+    return !options.given && options.sampler == Settings::SAMPLER_AUTO && count <= AutoSampler::largestRefined &&
+           count == _count && options.sameLists(_options) && !_lights.empty() && map.meanOfChannels() > 0.0;
 }
 
 const LightList& LightStream::next(const RadianceMap& map, unsigned count, const MapOptions& options)

@@ -53,7 +53,7 @@ void main()
         radiance += glint / max(alpha, 1e-3);
     }
     vec3 irradianceOverPi = shIrradiance(shCoefficients, mapFromEyeForward * s.normal);
-#ifdef SUN_DIFFUSE
+#if defined(HAS_SUNS) && defined(SUN_DIFFUSE)
     irradianceOverPi += sunIrradianceOverPi(mapFromEyeForward * s.normal);
 #endif
     vec3 diffuse = s.albedo * irradianceOverPi * radianceScale;
