@@ -167,4 +167,12 @@ DirectionalLight regionLight(const LightRegion& r, const MomentTable& table)
     return {d, osg::Vec3d(std::max(r.light.rgb[0], 0.0), std::max(r.light.rgb[1], 0.0), std::max(r.light.rgb[2], 0.0))};
 }
 
+LightList regionLights(const MomentTable& table, size_t count, const RegionRule& rule)
+{
+    LightList lights;
+    lights.reserve(count);
+    for (const LightRegion& r : divideRegions(table, {wholeRegion(table)}, count, rule)) lights.push_back(regionLight(r, table));
+    return lights;
+}
+
 }  // namespace osgEnvLight

@@ -13,10 +13,7 @@ LightList MedianCutSampler::place(const RadianceMap& map, unsigned count, const 
     rule.exponent = 0.0;
     rule.bestAxis = false;
     rule.wholeTexels = true;
-    LightList lights;
-    lights.reserve(count);
-    for (const LightRegion& r : divideRegions(table, {wholeRegion(table)}, count, rule)) lights.push_back(regionLight(r, table));
-    return lights;
+    return regionLights(table, count, rule);
 }
 
 }  // namespace osgEnvLight

@@ -8,12 +8,7 @@ namespace osgEnvLight
 
 LightList SplitSampler::place(const RadianceMap& map, unsigned count, const Options& options) const
 {
-    const MomentTable table(map, MomentTable::columnsFor(count), options.floor);
-    LightList lights;
-    lights.reserve(count);
-    for (const LightRegion& r : divideRegions(table, {wholeRegion(table)}, count, RegionRule()))
-        lights.push_back(regionLight(r, table));
-    return lights;
+    return regionLights(MomentTable(map, MomentTable::columnsFor(count), options.floor), count, RegionRule());
 }
 
 }  // namespace osgEnvLight

@@ -17,20 +17,32 @@ bool checkMap(const EnvironmentMap& map)
     return !map.getMap().empty();
 }
 
-bool writeMap(osgDB::OutputStream& os, const EnvironmentMap& map)
+bool writeName(osgDB::OutputStream& os, const std::string& name)
 {
-    os.writeWrappedString(map.getMap());
+    os.writeWrappedString(name);
     os << std::endl;
     return true;
 }
 
-bool readMap(osgDB::InputStream& is, EnvironmentMap& map)
+using Load = bool (EnvironmentMap::*)(const std::string&, const osgDB::Options*, std::string&);
+
+bool readName(osgDB::InputStream& is, EnvironmentMap& map, Load load)
 {
     std::string name;
     std::string error;
     is.readWrappedString(name);
-    if (!map.load(name, is.getOptions(), error)) OSG_WARN << "osgEnvLight: " << error << std::endl;
+    if (!(map.*load)(name, is.getOptions(), error)) OSG_WARN << "osgEnvLight: " << error << std::endl;
     return true;
+}
+
+bool writeMap(osgDB::OutputStream& os, const EnvironmentMap& map)
+{
+    return writeName(os, map.getMap());
+}
+
+bool readMap(osgDB::InputStream& is, EnvironmentMap& map)
+{
+    return readName(is, map, &EnvironmentMap::load);
 }
 
 bool checkLights(const EnvironmentMap& map)
@@ -40,18 +52,12 @@ bool checkLights(const EnvironmentMap& map)
 
 bool writeLights(osgDB::OutputStream& os, const EnvironmentMap& map)
 {
-    os.writeWrappedString(map.getLightFile());
-    os << std::endl;
-    return true;
+    return writeName(os, map.getLightFile());
 }
 
 bool readLights(osgDB::InputStream& is, EnvironmentMap& map)
 {
-    std::string name;
-    std::string error;
-    is.readWrappedString(name);
-    if (!map.loadLights(name, is.getOptions(), error)) OSG_WARN << "osgEnvLight: " << error << std::endl;
-    return true;
+    return readName(is, map, &EnvironmentMap::loadLights);
 }
 
 bool checkImage(const EnvironmentMap& map)
