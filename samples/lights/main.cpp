@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // envlight-lights: a map as a list of directional lights, for looking at and for other programs.
+#include "CommandLine.h"
 #include "ImageFile.h"
 #include "LightPicture.h"
 #include "PluginPath.h"
@@ -7,8 +8,6 @@
 
 #include <osgDB/FileNameUtils>
 #include <osgDB/FileUtils>
-
-#include <CLI/CLI.hpp>
 
 #include <chrono>
 #include <cmath>
@@ -21,10 +20,6 @@ namespace
 {
 
 using namespace osgEnvLight;
-
-struct BadArguments : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
 
 struct Arguments {
     std::string map;
@@ -193,21 +188,5 @@ int main(int argc, char** argv)
     Arguments arguments;
     CLI::App app("Writes a high-dynamic-range environment map as a list of directional lights.", "envlight-lights");
     addOptions(app, arguments);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::CallForHelp& e) {
-        return app.exit(e);
-    } catch (const CLI::ParseError& e) {
-        std::cerr << "envlight-lights: " << e.what() << "\n";
-        return 2;
-    }
-    try {
-        return run(arguments);
-    } catch (const BadArguments& e) {
-        std::cerr << "envlight-lights: " << e.what() << "\n";
-        return 2;
-    } catch (const std::exception& e) {
-        std::cerr << "envlight-lights: " << e.what() << "\n";
-        return 1;
-    }
+    return runCommandLine(app, argc, argv, [&] { return run(arguments); });
 }

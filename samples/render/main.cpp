@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // envlight-render: a scene lit by its environment, to an image, without an X server.
+#include "CommandLine.h"
 #include "HeadlessContext.h"
 #include "ImageFile.h"
 #include "PluginPath.h"
@@ -15,8 +16,6 @@
 #include <osgGA/TrackballManipulator>
 #include <osgViewer/Viewer>
 
-#include <CLI/CLI.hpp>
-
 #include <chrono>
 #include <cmath>
 #include <iostream>
@@ -24,10 +23,6 @@
 
 namespace
 {
-
-struct BadArguments : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
 
 struct Arguments {
     std::string scene;
@@ -237,21 +232,5 @@ int main(int argc, char** argv)
     Arguments arguments;
     CLI::App app("Renders a scene lit by a high-dynamic-range environment to an image, without an X server.", "envlight-render");
     addOptions(app, arguments);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::CallForHelp& e) {
-        return app.exit(e);
-    } catch (const CLI::ParseError& e) {
-        std::cerr << "envlight-render: " << e.what() << "\n";
-        return 2;
-    }
-    try {
-        return run(arguments);
-    } catch (const BadArguments& e) {
-        std::cerr << "envlight-render: " << e.what() << "\n";
-        return 2;
-    } catch (const std::exception& e) {
-        std::cerr << "envlight-render: " << e.what() << "\n";
-        return 1;
-    }
+    return runCommandLine(app, argc, argv, [&] { return run(arguments); });
 }
