@@ -6,19 +6,6 @@
 #include <chrono>
 #include <cmath>
 
-osg::Vec3d Picture::color(int x, int y) const
-{
-    const float* p = &rgba[4 * size_t(y * width + x)];
-    return osg::Vec3d(p[0], p[1], p[2]);
-}
-
-bool Picture::finite() const
-{
-    for (float f : rgba)
-        if (!std::isfinite(f)) return false;
-    return true;
-}
-
 double rootMeanSquare(const Picture& a, const Picture& b)
 {
     double sum = 0.0;
@@ -71,9 +58,9 @@ Picture SceneRenderer::render(osg::Node* scene, int frames)
     const bool empty = width < 1 || height < 1;  // OSG itself crashes on an image of no pixels
     if (!empty && (width != _image->s() || height != _image->t())) attachImage(width, height);
     for (int i = 0; i < frames; ++i) _viewer.frame(_time += 1.0 / 30.0);
-    Picture picture{width, height, {}};
+    Picture picture(width, height);
     const float* p = reinterpret_cast<const float*>(_image->data());
-    if (!empty) picture.rgba.assign(p, p + 4 * size_t(picture.width * picture.height));
+    if (!empty) std::copy_n(p, picture.rgba.size(), picture.rgba.begin());
     return picture;
 }
 

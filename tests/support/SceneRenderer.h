@@ -3,6 +3,8 @@
 
 #include <HeadlessContext.h>
 
+#include <metrics/Picture>
+
 #include <osgEnvLight/LitScene>
 
 #include <osg/Geode>
@@ -13,16 +15,7 @@
 #include <array>
 #include <vector>
 
-/** A picture of floats, row 0 at the bottom. */
-struct Picture {
-    int width = 0;
-    int height = 0;
-    std::vector<float> rgba;
-
-    osg::Vec3d color(int x, int y) const;
-    float alpha(int x, int y) const { return rgba[4 * size_t(y * width + x) + 3]; }
-    bool finite() const;
-};
+using osgEnvLight::Picture;
 
 /** Root mean square and largest difference of two pictures' colours. */
 double rootMeanSquare(const Picture& a, const Picture& b);
