@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include <reference/Environment>
+
+#include "Directions.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+const double evenly = 1.0 / (4.0 * pi);
+
+}  // namespace
+
+MapEnvironment::MapEnvironment(const RadianceMap& map, double rotation, double intensity)
+    : _map(&map),
+      _cos(std::cos(osg::DegreesToRadians(rotation))),
+      _sin(std::sin(osg::DegreesToRadians(rotation))),
+      _intensity(intensity),
+      _width(map.width),
+      _height(map.height)
+{
+    makeTables();
+}
+
+glm::dvec3 MapEnvironment::turned(const glm::dvec3& d, double sine) const
+{
+    return {_cos * d.x - sine * d.y, sine * d.x + _cos * d.y, d.z};
+}
+
+glm::dvec3 MapEnvironment::texel(int x, int y) const
+{
+    if (x < 0) x += _width;
+    if (x >= _width) x -= _width;
+    const float* t = _map->texel(x, std::clamp(y, 0, _height - 1));
+    return glm::dvec3(double(t[0]), double(t[1]), double(t[2]));
+}
+
+glm::dvec3 MapEnvironment::bilinear(double column, double row) const
+{
+    const int x = std::clamp(int(std::floor(column)), -1, _width - 1);
+    const int y = int(std::floor(row));
+    const double fx = column - x;
+    const double fy = row - y;
+    return _intensity * ((1.0 - fy) * ((1.0 - fx) * texel(x, y) + fx * texel(x + 1, y)) +
+                         fy * ((1.0 - fx) * texel(x, y + 1) + fx * texel(x + 1, y + 1)));
+}
+
+void MapEnvironment::makeTables()
+{
+    const double step = pi / _height;
+    for (int y = 0; y < _height; ++y) _solidAngle.push_back(2.0 * pi / _width * (std::cos(y * step) - std::cos((y + 1) * step)));
+    // The mean of the bilinear function over a texel weights it and its neighbours 6/8 and 1/8, along either axis.
+    const double weights[3] = {0.125, 0.75, 0.125};
+    _columnSums.reserve(size_t(_width) * size_t(_height));
+    double rows = 0.0;
+    for (int y = 0; y < _height; ++y) {
+        double columns = 0.0;
+        for (int x = 0; x < _width; ++x) {
+            for (int j = 0; j < 3; ++j)
+                for (int i = 0; i < 3; ++i) {
+                    const glm::dvec3 c = texel(x + i - 1, y + j - 1);
+                    columns += weights[i] * weights[j] * (c.r + c.g + c.b) * _solidAngle[size_t(y)];
+                }
+            _columnSums.push_back(columns);
+        }
+        _rowSums.push_back(rows += columns);
+    }
+    if (!(rows > 0.0)) {
+        _columnSums.clear();
+        _rowSums.clear();
+    }
+}
+
+double MapEnvironment::texelDensity(int x, int y) const
+{
+    if (_rowSums.empty()) return evenly;
+    const double* sums = &_columnSums[size_t(y) * size_t(_width)];
+    return (sums[x] - (x > 0 ? sums[x - 1] : 0.0)) / (_rowSums.back() * _solidAngle[size_t(y)]);
+}
+
+// In the architecture's words: top row +Z, the centre along +X, columns clockwise seen from above.
+Incident MapEnvironment::from(const glm::dvec3& direction, bool withDensity) const
+{
+    const glm::dvec3 d = turned(direction, -_sin);
+    const double column = (0.5 - std::atan2(d.y, d.x) / (2.0 * pi)) * _width;
+    const double row = std::atan2(std::sqrt(d.x * d.x + d.y * d.y), d.z) / pi * _height;
+    Incident in{direction, bilinear(column - 0.5, row - 0.5)};
+    if (withDensity) in.density = texelDensity(std::clamp(int(column), 0, _width - 1), std::clamp(int(row), 0, _height - 1));
+    return in;
+}
+
+Incident MapEnvironment::sample(const glm::dvec2& u) const
+{
+    if (_rowSums.empty()) return {aboutPole(1.0 - 2.0 * u.x, u.y), glm::dvec3(0.0), evenly};
+    // The random numbers are used up digit by digit: what is left of one places the point within its row or texel.
+    const double r = u.y * _rowSums.back();
+    const auto row = std::min(std::upper_bound(_rowSums.begin(), _rowSums.end(), r), _rowSums.end() - 1);
+    const int y = int(row - _rowSums.begin());
+    const double below = y > 0 ? *(row - 1) : 0.0;
+    const double v = std::clamp((r - below) / std::max(*row - below, 1e-300), 0.0, 1.0);
+    const auto first = _columnSums.begin() + ptrdiff_t(y) * _width;
+    const double c = u.x * *(first + _width - 1);
+    const auto column = std::min(std::upper_bound(first, first + _width, c), first + _width - 1);
+    const int x = int(column - first);
+    const double left = x > 0 ? *(column - 1) : 0.0;
+    const double w = std::clamp((c - left) / std::max(*column - left, 1e-300), 0.0, 1.0);
+
+    const double step = pi / _height;
+    const double top = std::cos(y * step);
+    const double z = top + v * (std::cos((y + 1) * step) - top);  // evenly in solid angle
+    const double phi = 2.0 * pi * (0.5 - (x + w) / _width);
+    const double s = std::sqrt(std::max(0.0, 1.0 - z * z));
+    return {turned({s * std::cos(phi), s * std::sin(phi), z}, _sin), bilinear(x + w - 0.5, std::atan2(s, z) / pi * _height - 0.5),
+            texelDensity(x, y)};
+}
+
+SunEnvironment::SunEnvironment(const DominantLights& suns, double rotation, double intensity)
+{
+    const double c = std::cos(osg::DegreesToRadians(rotation));
+    const double s = std::sin(osg::DegreesToRadians(rotation));
+    double total = 0.0;
+    for (const DominantLight& sun : suns) {
+        const osg::Vec3d& d = sun.direction;
+        const double half = std::sin(0.5 * std::max(sun.radius, 1e-6));
+        const double height = 2.0 * half * half;
+        const double power = sun.flux[0] + sun.flux[1] + sun.flux[2];
+        const double scale = intensity / (2.0 * pi * height);
+        _discs.push_back({{c * d.x() - s * d.y(), s * d.x() + c * d.y(), d.z()},
+                          scale * glm::dvec3(sun.flux[0], sun.flux[1], sun.flux[2]),
+                          height,
+                          power});
+        total += power;
+    }
+    for (Disc& disc : _discs) disc.share /= total;
+}
+
+bool SunEnvironment::inside(const Disc& disc, const glm::dvec3& d) const
+{
+    const glm::dvec3 chord = d - disc.direction;
+    return 0.5 * glm::dot(chord, chord) <= disc.height;
+}
+
+Incident SunEnvironment::from(const glm::dvec3& direction, bool) const
+{
+    Incident in{direction, glm::dvec3(0.0)};
+    for (const Disc& disc : _discs)
+        if (inside(disc, direction)) {
+            in.radiance += disc.radiance;
+            in.density += disc.share / (2.0 * pi * disc.height);
+        }
+    return in;
+}
+
+Incident SunEnvironment::sample(const glm::dvec2& u) const
+{
+    if (_discs.empty()) return {aboutPole(1.0 - 2.0 * u.x, u.y), glm::dvec3(0.0), evenly};
+    double x = u.x;
+    size_t i = 0;
+    while (i + 1 < _discs.size() && x >= _discs[i].share) x -= _discs[i++].share;
+    const double w = std::clamp(x / std::max(_discs[i].share, 1e-300), 0.0, 1.0);
+    return from(frameAbout(_discs[i].direction) * aboutPoleByHeight(w * _discs[i].height, u.y));
+}
+
+}  // namespace osgEnvLight

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// How a surface point reflects: the values of lib's BRDFs, and ways of our own to sample them.
+#pragma once
+
+#include <reference/RayScene>
+
+namespace osgEnvLight
+{
+
+/** A surface point as the surface shader reads it, seen from a ray's origin. */
+class Reflection
+{
+  public:
+    /** @param ray        that met the surface
+     * @param colour      surfaceColor() there */
+    Reflection(const SurfaceHit& hit, const Ray& ray, const glm::dvec4& color);
+
+    const glm::dvec3& albedo() const { return _albedo; }  // of the Lambert term, before the lobe's share is taken off
+    const glm::dvec3& emission() const { return _emission; }
+    const glm::dvec3& normal() const { return _normal; }
+
+    /** BRDF values per solid angle, for light from the unit direction l; 0 where it comes from behind the shading normal. */
+    glm::dvec3 diffuse() const { return _diffuse; }
+    glm::dvec3 glossy(const glm::dvec3& l) const;
+    double cosine(const glm::dvec3& l) const { return glm::max(glm::dot(_normal, l), 0.0); }
+
+    bool hasDiffuse() const { return _diffuse.r > 0.0 || _diffuse.g > 0.0 || _diffuse.b > 0.0; }
+    /** A lobe with width. */
+    bool hasLobe() const { return _lobe; }
+    /** A lobe without: it reflects mirrorWeight() of the radiance from mirrorDirection(). */
+    bool isMirror() const { return _mirror; }
+    const glm::dvec3& mirrorDirection() const { return _reflected; }
+    const glm::dvec3& mirrorWeight() const { return _mirrorWeight; }
+
+    /** By the cosine about the normal; evenly over the hemisphere; by the lobe: normals of GGX's distribution [Walter 2007,
+     * eq. 35], or cos^n. The lobe's may point below the surface, and is null where the normal is one the viewer can't see.*/
+    glm::dvec3 sampleCosine(const glm::dvec2& u) const;
+    glm::dvec3 sampleHemisphere(const glm::dvec2& u) const;
+    glm::dvec3 sampleLobe(const glm::dvec2& u) const;
+    double cosineDensity(const glm::dvec3& l) const;
+    double hemisphereDensity(const glm::dvec3& l) const;
+    double lobeDensity(const glm::dvec3& l) const;
+
+  private:
+    void setCookTorrance(const SurfaceMaterial& m, const glm::dvec3& base);
+    void setPhong(const SurfaceMaterial& m);
+    glm::dvec3 local(const glm::dvec3& l) const { return l * _frame; }
+
+    glm::dvec3 _normal;
+    glm::dmat3 _frame;  // about the normal
+    glm::dvec3 _view;   // towards the ray's origin, in the frame
+    glm::dvec3 _reflected;
+    glm::dvec3 _albedo{0, 0, 0};
+    glm::dvec3 _diffuse{0, 0, 0};
+    glm::dvec3 _emission{0, 0, 0};
+    glm::dvec3 _f0{0, 0, 0};
+    glm::dvec3 _energy{1, 1, 1};
+    glm::dvec3 _mirrorWeight{0, 0, 0};
+    double _alpha = 1.0;
+    double _exponent = 0.0;
+    bool _phong = false;
+    bool _lobe = false;
+    bool _mirror = false;
+};
+
+}  // namespace osgEnvLight

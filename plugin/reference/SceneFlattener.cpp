@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "MeshBuilder.h"
+#include "SceneState.h"
+
+#include <osg/PagedLOD>
+#include <osg/ProxyNode>
+#include <osgDB/ReadFile>
+#include <osgUtil/CullVisitor>
+#include <osgUtil/RenderStage>
+
+#include <unordered_map>
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+// Loads what a cull asks for, at once.
+class ImmediatePager : public osg::NodeVisitor::DatabaseRequestHandler
+{
+  public:
+    void requestNodeFile(const std::string& name, osg::NodePath& path, float, const osg::FrameStamp*,
+                         osg::ref_ptr<osg::Referenced>&, const osg::Referenced* options) override
+    {
+        osg::Group* parent = path.empty() ? nullptr : path.back()->asGroup();
+        osg::ref_ptr<osg::Node> node =
+            parent ? osgDB::readRefNodeFile(name, dynamic_cast<const osgDB::Options*>(options)) : nullptr;
+        if (!node) return;
+        parent->addChild(node);
+        loaded = true;
+    }
+
+    bool loaded = false;
+};
+
+// A view's leaves and the state above them.
+class Flattener
+{
+  public:
+    Flattener(osg::Node& scene, osg::Camera& camera, const osg::FrameStamp* frame)
+        : _scene(scene), _camera(camera), _frame(frame ? frame : new osg::FrameStamp)
+    {
+    }
+
+    TriangleScene flatten()
+    {
+        cull();
+        collect(*_stage);
+        findOrigin();
+        for (const osgUtil::RenderLeaf* leaf : _leaves) append(*leaf);
+        for (const TriangleMesh& mesh : _result.meshes) {
+            _result.triangles += mesh.triangles.size();
+            for (const glm::vec3& p : mesh.positions)
+                if (glm::all(glm::lessThan(glm::abs(p), glm::vec3(1e30f))))
+                    _result.radius = std::max(_result.radius, double(glm::length(p)));
+        }
+        for (const auto& [what, count] : _leftOut)
+            _result.leftOut.push_back(what + " (" + std::to_string(count) + (count == 1 ? " drawable)" : " drawables)"));
+        return std::move(_result);
+    }
+
+  private:
+    void cull()
+    {
+        osg::ref_ptr<ImmediatePager> pager = new ImmediatePager;
+        // A page may bring further pages; no graph is this deep.
+        for (int depth = 0; depth < 64; ++depth) {
+            pager->loaded = false;
+            _root = new osgUtil::StateGraph;
+            _stage = new osgUtil::RenderStage;  // without a viewport: a LitScene on the way draws its children plainly
+            const osg::ref_ptr<osgUtil::CullVisitor> cv = new osgUtil::CullVisitor;
+            _visitor = cv;  // its end empties its leaves
+            cv->setCullingMode(osg::CullSettings::NO_CULLING);
+            cv->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
+            cv->setLODScale(_camera.getLODScale());
+            cv->setTraversalMask(_camera.getCullMask());
+            cv->setFrameStamp(const_cast<osg::FrameStamp*>(_frame.get()));
+            cv->setTraversalNumber(_frame->getFrameNumber());
+            cv->setDatabaseRequestHandler(pager);
+            cv->setStateGraph(_root);
+            cv->setRenderStage(_stage);
+            osg::ref_ptr<osg::Viewport> viewport =
+                _camera.getViewport() ? new osg::Viewport(*_camera.getViewport()) : new osg::Viewport(0, 0, 1, 1);
+            _projection = new osg::RefMatrix(_camera.getProjectionMatrix());
+            cv->pushViewport(viewport);
+            cv->pushProjectionMatrix(_projection);
+            cv->pushModelViewMatrix(new osg::RefMatrix(_camera.getViewMatrix()), osg::Transform::ABSOLUTE_RF);
+            if (_camera.getStateSet()) cv->pushStateSet(_camera.getStateSet());
+            _scene.accept(*cv);
+            if (_camera.getStateSet()) cv->popStateSet();
+            cv->popModelViewMatrix();
+            cv->popProjectionMatrix();
+            cv->popViewport();
+            if (!pager->loaded) break;
+        }
+    }
+
+    void collect(osgUtil::RenderBin& bin)
+    {
+        for (osgUtil::StateGraph* graph : bin.getStateGraphList())
+            for (const auto& leaf : graph->_leaves) _leaves.push_back(leaf.get());
+        // Sorted bins hold their leaves in a list of their own, but only once they are sorted, which is in the draw.
+        for (const auto& [number, child] : bin.getRenderBinList()) collect(*child);
+    }
+
+    osg::Matrixd worldFromModel(const osgUtil::RenderLeaf& leaf) const
+    {
+        return osg::Matrixd(*leaf._modelview) * osg::Matrixd::inverse(_camera.getViewMatrix());
+    }
+
+    void findOrigin()
+    {
+        osg::BoundingBoxd box;
+        for (const osgUtil::RenderLeaf* leaf : _leaves) {
+            const osg::BoundingBox& own = leaf->getDrawable()->getBoundingBox();
+            const osg::Matrixd matrix = worldFromModel(*leaf);
+            for (unsigned i = 0; own.valid() && i < 8; ++i) box.expandBy(osg::Vec3d(own.corner(i)) * matrix);
+        }
+        if (box.valid() && box.center().valid())
+            _result.origin = glm::dvec3(box.center().x(), box.center().y(), box.center().z());
+    }
+
+    const SceneState& effective(const osgUtil::StateGraph* graph)
+    {
+        const auto found = _states.find(graph);
+        if (found != _states.end()) return found->second;
+        SceneState state;
+        if (graph->_parent) state = effective(graph->_parent);
+        if (graph->getStateSet()) state.merge(*graph->getStateSet());
+        return _states.emplace(graph, state).first->second;
+    }
+
+    void append(const osgUtil::RenderLeaf& leaf)
+    {
+        const osg::Geometry* geometry = leaf.getDrawable()->asGeometry();
+        if (!geometry) {
+            ++_leftOut[std::string("drawables of the class ") + leaf.getDrawable()->libraryName() +
+                       "::" + leaf.getDrawable()->className()];
+            return;
+        }
+        if (leaf._projection && osg::Matrixd(*leaf._projection) != osg::Matrixd(*_projection)) {
+            ++_leftOut["what has a projection of its own"];
+            return;
+        }
+        const SceneState& state = effective(leaf._parent);
+        std::set<std::string> leftOut;
+        TriangleMesh mesh;
+        mesh.material = state.material(_textures, leftOut);
+        if (geometry->getDrawCallback()) leftOut.insert("draw callbacks");
+        if (!appendTriangles(*geometry, worldFromModel(leaf), state.textureMatrix(), _result.origin, mesh, _result))
+            leftOut.insert("points and lines");
+        for (const std::string& what : leftOut) ++_leftOut[what];
+        if (!mesh.triangles.empty()) _result.meshes.push_back(std::move(mesh));
+    }
+
+    osg::Node& _scene;
+    osg::Camera& _camera;
+    osg::ref_ptr<const osg::FrameStamp> _frame;
+    osg::ref_ptr<osgUtil::CullVisitor> _visitor;
+    osg::ref_ptr<osgUtil::StateGraph> _root;
+    osg::ref_ptr<osgUtil::RenderStage> _stage;
+    osg::ref_ptr<osg::RefMatrix> _projection;
+    std::vector<const osgUtil::RenderLeaf*> _leaves;
+    std::unordered_map<const osgUtil::StateGraph*, SceneState> _states;
+    std::map<std::string, int> _leftOut;
+    TextureCache _textures;
+    TriangleScene _result;
+};
+
+}  // namespace
+
+TriangleScene flattenScene(osg::Node& scene, osg::Camera& camera, const osg::FrameStamp* frame)
+{
+    return Flattener(scene, camera, frame).flatten();
+}
+
+}  // namespace osgEnvLight

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "SceneState.h"
+
+#include <osgEnvLight/Material>
+
+#include <osg/AlphaFunc>
+#include <osg/BlendFunc>
+#include <osg/CullFace>
+#include <osg/FrontFace>
+#include <osg/PolygonMode>
+#include <osg/TexMat>
+
+#include <algorithm>
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+glm::dvec3 rgb(const osg::Vec4& c)
+{
+    return glm::dvec3(c.r(), c.g(), c.b());
+}
+
+glm::dvec3 rgb(const osg::Vec3f& c)
+{
+    return glm::dvec3(c.x(), c.y(), c.z());
+}
+
+}  // namespace
+
+bool SurfaceMaterial::alphaPasses(double alpha) const
+{
+    switch (alphaFunction) {
+        case GL_NEVER:
+            return false;
+        case GL_LESS:
+            return alpha < alphaReference;
+        case GL_EQUAL:
+            return alpha == alphaReference;
+        case GL_LEQUAL:
+            return alpha <= alphaReference;
+        case GL_GREATER:
+            return alpha > alphaReference;
+        case GL_NOTEQUAL:
+            return alpha != alphaReference;
+        case GL_GEQUAL:
+            return alpha >= alphaReference;
+        default:
+            return true;
+    }
+}
+
+std::shared_ptr<const TextureImage> TextureCache::get(const osg::Texture& texture, bool linear, std::string& reason)
+{
+    auto [entry, isNew] = _entries.try_emplace({&texture, linear});
+    if (isNew) entry->second.image = TextureImage::create(texture, linear, entry->second.reason);
+    reason = entry->second.reason;
+    return entry->second.image;
+}
+
+void SceneState::merge(const osg::StateSet& s)
+{
+    SurfaceState::merge(s);
+    _alphaTest.merge(s.getMode(GL_ALPHA_TEST));
+    _cullFace.merge(s.getMode(GL_CULL_FACE));
+    for (GLenum plane = GL_CLIP_PLANE0; plane < GL_CLIP_PLANE0 + 6; ++plane) _clip.merge(s.getMode(plane));
+    _alphaFunction.merge(s.getAttributePair(osg::StateAttribute::ALPHAFUNC));
+    _cullSide.merge(s.getAttributePair(osg::StateAttribute::CULLFACE));
+    _frontFace.merge(s.getAttributePair(osg::StateAttribute::FRONTFACE));
+    _blendFunction.merge(s.getAttributePair(osg::StateAttribute::BLENDFUNC));
+    _polygonMode.merge(s.getAttributePair(osg::StateAttribute::POLYGONMODE));
+    if (!s.getTextureAttributeList().empty()) _textureMatrix.merge(s.getTextureAttributePair(0, osg::StateAttribute::TEXMAT));
+    for (const auto& [name, pair] : s.getUniformList()) {
+        const auto former = _uniforms.find(name);
+        if (former == _uniforms.end() || !(former->second.second & osg::StateAttribute::OVERRIDE) ||
+            (pair.second & osg::StateAttribute::PROTECTED))
+            _uniforms[name] = pair;
+    }
+}
+
+template <class T>
+T SceneState::uniform(const char* name, T value) const
+{
+    const auto found = _uniforms.find(name);
+    if (found != _uniforms.end()) found->second.first->get(value);
+    return value;
+}
+
+SurfaceMaterial SceneState::material(TextureCache& textures, std::set<std::string>& leftOut) const
+{
+    SurfaceMaterial m;
+    m.brdf = std::max(brdf(), 0);
+    m.unlit = unlit();
+    m.vertexColored = vertexColored();
+    if (const osg::Material* material = osgMaterial()) {
+        const osg::Vec4 diffuse = material->getDiffuse(osg::Material::FRONT);
+        m.color = glm::dvec4(rgb(diffuse), diffuse.a());
+        m.emission = rgb(material->getEmission(osg::Material::FRONT));
+        if (phongMaterial()) {
+            m.brdf = Material::PHONG;
+            m.limited = true;
+            m.specular = rgb(material->getSpecular(osg::Material::FRONT));
+            m.exponent = double(material->getShininess(osg::Material::FRONT));
+        }
+    }
+    if (brdf() == Material::COOK_TORRANCE) {
+        m.color = glm::dvec4(rgb(uniform("envlightBaseColor", osg::Vec3f())), m.color.a);
+        m.metalness = double(uniform("envlightMetalness", 0.0f));
+        m.roughness = double(uniform("envlightRoughness", 0.0f));
+    } else if (brdf() >= 0) {
+        m.color = glm::dvec4(rgb(uniform("envlightDiffuse", osg::Vec3f())), m.color.a);
+        if (brdf() == Material::PHONG) {
+            m.specular = rgb(uniform("envlightSpecular", osg::Vec3f()));
+            m.exponent = double(uniform("envlightExponent", 0.0f));
+        }
+    }
+    if (const osg::Texture* t = texture()) {
+        std::string reason;
+        m.texture = textures.get(*t, linearTexture(), reason);
+        if (!m.texture) leftOut.insert("textures, " + reason);
+        m.replacedByTexture = m.texture && replacedByTexture();
+    }
+    if (_alphaTest.on && _alphaFunction.attribute) {
+        const auto& f = static_cast<const osg::AlphaFunc&>(*_alphaFunction.attribute);
+        m.alphaTest = f.getFunction() != osg::AlphaFunc::ALWAYS;
+        m.alphaFunction = GLenum(f.getFunction());
+        m.alphaReference = double(f.getReferenceValue());
+    }
+    m.blended = blended();
+    if (m.blended && _blendFunction.attribute) {
+        const auto& f = static_cast<const osg::BlendFunc&>(*_blendFunction.attribute);
+        if (f.getSource() != osg::BlendFunc::SRC_ALPHA || f.getDestination() != osg::BlendFunc::ONE_MINUS_SRC_ALPHA)
+            leftOut.insert("blend functions other than alpha over: taken as that");
+    }
+    const auto* front = static_cast<const osg::FrontFace*>(_frontFace.attribute);
+    m.clockwiseFront = front && front->getMode() == osg::FrontFace::CLOCKWISE;
+    if (_cullFace.on) {
+        const auto* side = static_cast<const osg::CullFace*>(_cullSide.attribute);
+        const auto mode = side ? side->getMode() : osg::CullFace::BACK;
+        m.sides = mode == osg::CullFace::FRONT ? SurfaceMaterial::SHOW_BACK : SurfaceMaterial::SHOW_FRONT;
+    }
+    if (ownProgram()) leftOut.insert("shader programs of the scene's own: their surfaces have their materials instead");
+    if (_clip.on) leftOut.insert("clip planes: what they cut off is there");
+    const auto* polygon = static_cast<const osg::PolygonMode*>(_polygonMode.attribute);
+    if (polygon && polygon->getMode(osg::PolygonMode::FRONT) != osg::PolygonMode::FILL)
+        leftOut.insert("polygons drawn as lines or points: they are filled");
+    return m;
+}
+
+osg::Matrixd SceneState::textureMatrix() const
+{
+    const auto* matrix = static_cast<const osg::TexMat*>(_textureMatrix.attribute);
+    return matrix ? osg::Matrixd(matrix->getMatrix()) : osg::Matrixd();
+}
+
+}  // namespace osgEnvLight

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// The state above a drawable, as the flattener reads it.
+#pragma once
+
+#include <osgEnvLight/SurfaceState>
+
+#include <reference/TriangleScene>
+
+#include <map>
+#include <set>
+
+namespace osgEnvLight
+{
+
+/** Textures already read, by the texture and whether it is linear; and what could not be. */
+class TextureCache
+{
+  public:
+    std::shared_ptr<const TextureImage> get(const osg::Texture& texture, bool linear, std::string& reason);
+
+  private:
+    struct Entry {
+        std::shared_ptr<const TextureImage> image;
+        std::string reason;
+    };
+    std::map<std::pair<const osg::Texture*, bool>, Entry> _entries;
+};
+
+class SceneState : public SurfaceState
+{
+  public:
+    void merge(const osg::StateSet& stateSet);
+
+    /** @param leftOut  receives what the material lacks against the picture */
+    SurfaceMaterial material(TextureCache& textures, std::set<std::string>& leftOut) const;
+    osg::Matrixd textureMatrix() const;
+
+  private:
+    template <class T>
+    T uniform(const char* name, T value) const;
+
+    Mode _alphaTest;
+    Mode _cullFace;
+    Mode _clip;
+    Attribute _alphaFunction;
+    Attribute _cullSide;
+    Attribute _frontFace;
+    Attribute _textureMatrix;
+    Attribute _blendFunction;
+    Attribute _polygonMode;
+    std::map<std::string, osg::StateSet::RefUniformPair> _uniforms;
+};
+
+}  // namespace osgEnvLight

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include <reference/TextureImage>
+
+#include <algorithm>
+#include <cmath>
+
+#include "glsl.h"
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+// Index into n texels, or -1 for the border.
+int wrapped(int i, int n, osg::Texture::WrapMode mode)
+{
+    switch (mode) {
+        case osg::Texture::REPEAT:
+            return ((i % n) + n) % n;
+        case osg::Texture::MIRROR: {
+            const int j = ((i % (2 * n)) + 2 * n) % (2 * n);
+            return j < n ? j : 2 * n - 1 - j;
+        }
+        case osg::Texture::CLAMP_TO_BORDER:
+            return i < 0 || i >= n ? -1 : i;
+        default:
+            return std::clamp(i, 0, n - 1);
+    }
+}
+
+bool mipmapped(osg::Texture::FilterMode mode)
+{
+    return mode != osg::Texture::LINEAR && mode != osg::Texture::NEAREST;
+}
+
+glm::vec4 decoded(const glm::vec4& c)
+{
+    const glsl::vec3 rgb = glsl::srgbDecode3(glsl::vec3(c));
+    return glm::vec4(glm::vec3(rgb), c.a);
+}
+
+}  // namespace
+
+std::shared_ptr<const TextureImage> TextureImage::create(const osg::Texture& texture, bool linear, std::string& reason)
+{
+    const osg::Image* image = texture.getNumImages() > 0 ? texture.getImage(0) : nullptr;
+    if (!dynamic_cast<const osg::Texture2D*>(&texture) || !image || image->s() < 1 || image->t() < 1 || !image->data())
+        reason = "not a two-dimensional texture with an image";
+    else if (image->isCompressed())
+        reason = "compressed";
+    else {
+        std::shared_ptr<TextureImage> t = std::make_shared<TextureImage>();
+        t->_wrapS = texture.getWrap(osg::Texture::WRAP_S);
+        t->_wrapT = texture.getWrap(osg::Texture::WRAP_T);
+        t->_minFilter = texture.getFilter(osg::Texture::MIN_FILTER);
+        t->_magFilter = texture.getFilter(osg::Texture::MAG_FILTER);
+        const osg::Vec4d border = texture.getBorderColor();
+        t->_border = glm::dvec4(border.x(), border.y(), border.z(), border.w());
+        const GLint format = texture.getInternalFormat();
+        const bool decodedByFormat = format == GL_SRGB8 || format == GL_SRGB8_ALPHA8;
+        t->_decode = !linear;
+        Level level{image->s(), image->t(), {}};
+        level.texels.reserve(size_t(level.width) * size_t(level.height));
+        for (unsigned y = 0; y < unsigned(level.height); ++y)
+            for (unsigned x = 0; x < unsigned(level.width); ++x) {
+                const osg::Vec4 c = image->getColor(x, y);
+                const glm::vec4 texel(c.r(), c.g(), c.b(), c.a());
+                level.texels.push_back(decodedByFormat ? decoded(texel) : texel);
+            }
+        t->_levels.push_back(std::move(level));
+        while (mipmapped(t->_minFilter) && (t->_levels.back().width > 1 || t->_levels.back().height > 1)) {
+            const Level& fine = t->_levels.back();
+            Level next{std::max(fine.width / 2, 1), std::max(fine.height / 2, 1), {}};
+            for (int y = 0; y < next.height; ++y)
+                for (int x = 0; x < next.width; ++x) {
+                    glm::vec4 sum(0.0f);
+                    for (int k = 0; k < 4; ++k) {
+                        const int fx = std::min(2 * x + (k & 1), fine.width - 1);
+                        const int fy = std::min(2 * y + (k >> 1), fine.height - 1);
+                        sum += fine.texels[size_t(fy) * size_t(fine.width) + size_t(fx)];
+                    }
+                    next.texels.push_back(0.25f * sum);
+                }
+            t->_levels.push_back(std::move(next));
+        }
+        return t;
+    }
+    return nullptr;
+}
+
+glm::dvec4 TextureImage::texel(const Level& level, int s, int t) const
+{
+    const int x = wrapped(s, level.width, _wrapS);
+    const int y = wrapped(t, level.height, _wrapT);
+    if (x < 0 || y < 0) return _border;
+    return glm::dvec4(level.texels[size_t(y) * size_t(level.width) + size_t(x)]);
+}
+
+glm::dvec4 TextureImage::filtered(const Level& level, const glm::dvec2& st, bool linear) const
+{
+    // Coordinates beyond what an int holds have no texel in float either.
+    const glm::dvec2 p = glm::clamp(st * glm::dvec2(level.width, level.height) - (linear ? 0.5 : 0.0), -1e9, 1e9);
+    const glm::ivec2 i(glm::floor(p));
+    if (!linear) return texel(level, i.x, i.y);
+    const glm::dvec2 f = p - glm::dvec2(i);
+    return glm::mix(glm::mix(texel(level, i.x, i.y), texel(level, i.x + 1, i.y), f.x),
+                    glm::mix(texel(level, i.x, i.y + 1), texel(level, i.x + 1, i.y + 1), f.x), f.y);
+}
+
+glm::dvec4 TextureImage::sample(const glm::dvec2& st, const glm::dvec2& dx, const glm::dvec2& dy) const
+{
+    const glm::dvec2 size(_levels[0].width, _levels[0].height);
+    const double rho = std::max(glm::length(dx * size), glm::length(dy * size));
+    const double lod = std::clamp(std::log2(std::max(rho, 1e-30)), -1000.0, double(_levels.size() - 1));
+    glm::dvec4 c;
+    if (lod <= 0.0) {
+        c = filtered(_levels[0], st, _magFilter == osg::Texture::LINEAR);
+    } else {
+        const bool linear = _minFilter == osg::Texture::LINEAR || _minFilter == osg::Texture::LINEAR_MIPMAP_LINEAR ||
+                            _minFilter == osg::Texture::LINEAR_MIPMAP_NEAREST;
+        const bool between =
+            _minFilter == osg::Texture::LINEAR_MIPMAP_LINEAR || _minFilter == osg::Texture::NEAREST_MIPMAP_LINEAR;
+        const double level = between ? std::floor(lod) : std::floor(lod + 0.5);
+        const size_t i = std::min(size_t(level), _levels.size() - 1);
+        c = filtered(_levels[i], st, linear);
+        if (between && i + 1 < _levels.size()) c = glm::mix(c, filtered(_levels[i + 1], st, linear), lod - level);
+    }
+    return _decode ? glm::dvec4(glsl::srgbDecode3(glsl::vec3(c)), c.a) : c;
+}
+
+}  // namespace osgEnvLight

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "SceneOptions.h"
+
+#include <osgEnvLight/SceneDescription>
+
+#include <osgDB/FileNameUtils>
+#include <osgDB/ReadFile>
+#include <osgDB/fstream>
+#include <osgGA/TrackballManipulator>
+
+#include <cmath>
+#include <locale>
+#include <sstream>
+#include <stdexcept>
+
+namespace
+{
+
+osg::Vec3d vector(const std::vector<double>& v)
+{
+    return osg::Vec3d(v[0], v[1], v[2]);
+}
+
+osg::ref_ptr<osgEnvLight::LitScene> loadScene(const std::string& name)
+{
+    const std::string pseudo = osgDB::getLowerCaseFileExtension(name) == "envlight" ? name : name + ".envlight";
+    osgDB::ReaderWriter::ReadResult result = osgDB::Registry::instance()->readNode(pseudo, nullptr);
+    osg::ref_ptr<osgEnvLight::LitScene> lit = dynamic_cast<osgEnvLight::LitScene*>(result.getNode());
+    if (lit) return lit;
+    throw std::runtime_error(result.message().empty() ? name + ": the plugin osgdb_envlight is not found on OSG_LIBRARY_PATH"
+                                                      : result.message());
+}
+
+}  // namespace
+
+void SceneOptions::addTo(CLI::App& app)
+{
+    app.add_option("SCENE", scene, "a model, or a scene description (.envlight)")->required();
+    app.add_option("--env", map, "environment map: a file, sky or studio");
+    app.add_option("--env-layout", layout,
+                   "layout of the map where its shape does not say it: " + osgEnvLight::mapLayoutChoices());
+    app.add_option("--env-rotation", rotation, "degrees, counter-clockwise about +Z");
+    app.add_option("--camera", cameraFile, "camera from a JSON file");
+    app.add_option("--eye", eye, "x,y,z")->delimiter(',')->expected(3);
+    app.add_option("--target", target, "x,y,z")->delimiter(',')->expected(3);
+    app.add_option("--up", up, "x,y,z")->delimiter(',')->expected(3);
+    app.add_option("--fovy", fovy, "vertical opening angle, degrees")->check(CLI::Range(0.01, 179.0));
+    app.add_option("--size", size, "WIDTHxHEIGHT, default 512x512");
+    app.add_option("--set", settings, "name=value of a property of Settings (switches take on | off); repeatable")
+        ->allow_extra_args(false);
+}
+
+void SceneOptions::check()
+{
+    char x = 0;
+    std::string rest;
+    std::istringstream in(size);
+    in.imbue(std::locale::classic());
+    if (!(in >> width >> x >> height) || x != 'x' || (in >> rest) || width < 1 || height < 1 || width > 16384 || height > 16384)
+        throw BadArguments("--size is '" + size + "', expected WIDTHxHEIGHT, each 1..16384");
+}
+
+osg::ref_ptr<osgEnvLight::LitScene> SceneOptions::load(bool linear) const
+{
+    osg::ref_ptr<osgEnvLight::LitScene> lit = loadScene(scene);
+    std::string error;
+    osgEnvLight::EnvironmentMap& environment = *lit->getEnvironmentMap();
+    // A scene's layout is that of its own map.
+    osgEnvLight::MapLayout mapLayout = map.empty() ? environment.getLayout() : osgEnvLight::MapLayout::AUTO;
+    if (!layout.empty() && !osgEnvLight::mapLayoutFromName(layout, mapLayout))
+        throw BadArguments("--env-layout is '" + layout + "', expected one of " + osgEnvLight::mapLayoutChoices());
+    environment.setLayout(mapLayout);
+    if (!map.empty() && !environment.load(map, nullptr, error)) throw std::runtime_error(error);
+    if (rotation) environment.setRotation(*rotation);
+    lit->getSettings()->output = linear ? osgEnvLight::Settings::LINEAR : osgEnvLight::Settings::DISPLAY;
+    for (const std::string& s : settings) {
+        const size_t equals = s.find('=');
+        if (equals == std::string::npos) throw BadArguments("--set is '" + s + "', expected name=value");
+        if (!lit->getSettings()->set(s.substr(0, equals), s.substr(equals + 1), error)) throw BadArguments(error);
+    }
+    if (!environment.radiance(error)) throw std::runtime_error(error);
+    return lit;
+}
+
+// The camera of the command line, else the scene's, else null: OSG's home position.
+std::optional<osgEnvLight::HomeView> SceneOptions::chosenView(const osgEnvLight::LitScene& lit) const
+{
+    std::optional<osgEnvLight::HomeView> view = lit.getHomeView();
+    if (!cameraFile.empty()) {
+        view.emplace();
+        std::string error = cameraFile + ": can't be read";
+        osgDB::ifstream in(cameraFile.c_str(), std::ios::binary);
+        if (!in || !osgEnvLight::readCamera(in, cameraFile, *view, error)) throw std::runtime_error(error);
+    }
+    if (eye.empty() != target.empty()) throw BadArguments("--eye and --target go together");
+    if (!eye.empty()) {
+        view.emplace();
+        view->eye = vector(eye);
+        view->target = vector(target);
+    }
+    if (view && !up.empty()) view->up = vector(up);
+    if (view && fovy) view->fovy = *fovy;
+    return view;
+}
+
+void SceneOptions::setCamera(osgEnvLight::LitScene& lit, osg::Camera& camera) const
+{
+    const auto view = chosenView(lit);
+    // Without a view of its own a scene is seen as osgviewer starts: the opening angle of a screen as DisplaySettings
+    // gives it, and the manipulator's home.
+    const osg::DisplaySettings& screen = *osg::DisplaySettings::instance();
+    double angle = osg::RadiansToDegrees(2.0 * std::atan2(0.5 * screen.getScreenHeight(), double(screen.getScreenDistance())));
+    if (view) angle = view->fovy;
+    if (fovy) angle = *fovy;
+    camera.setProjectionMatrixAsPerspective(angle, double(width) / height, 1.0, 10000.0);
+    if (view) {
+        camera.setViewMatrixAsLookAt(view->eye, view->target, view->up);
+        return;
+    }
+    osg::ref_ptr<osgGA::TrackballManipulator> manipulator = new osgGA::TrackballManipulator;
+    manipulator->setNode(&lit);
+    manipulator->computeHomePosition(&camera, false);
+    osg::Vec3d homeEye, homeTarget, homeUp;
+    manipulator->getHomePosition(homeEye, homeTarget, homeUp);
+    camera.setViewMatrixAsLookAt(homeEye, homeTarget, homeUp);
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// What the programs that picture a scene take from their command lines alike: scene, map, camera, size, settings.
+#pragma once
+
+#include "CommandLine.h"
+
+#include <osgEnvLight/LitScene>
+
+#include <osg/Camera>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+struct SceneOptions {
+    std::string scene;
+    std::string map;
+    std::string layout;
+    std::optional<double> rotation;
+    std::string cameraFile;
+    std::vector<double> eye;
+    std::vector<double> target;
+    std::vector<double> up;
+    std::optional<double> fovy;
+    std::string size = "512x512";
+    std::vector<std::string> settings;
+    int width = 0;  // from size, by check()
+    int height = 0;
+
+    /** To a program's options. */
+    void addTo(CLI::App& app);
+
+    /** Throws BadArguments for what no file need be read to refuse. */
+    void check();
+
+    /** The scene under its map and settings; linear: output is scene-linear radiance. Throws BadArguments, or std::runtime_error
+     * with the reader's message.*/
+    osg::ref_ptr<osgEnvLight::LitScene> load(bool linear) const;
+
+    /** Projection and view: of the command line, else the scene's own, else osgviewer's home position. */
+    void setCamera(osgEnvLight::LitScene& lit, osg::Camera& camera) const;
+
+  private:
+    std::optional<osgEnvLight::HomeView> chosenView(const osgEnvLight::LitScene& lit) const;
+};
