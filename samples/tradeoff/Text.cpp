@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "Text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace tradeoff
+{
+
+namespace
+{
+
+std::string fixed(double value, int decimals)
+{
+    char text[400];  // 1.8e308 has 309 digits
+    return std::string(text, std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals).ptr);
+}
+
+std::string raised(int exponent)
+{
+    const char* const digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string text = exponent < 0 ? "⁻" : "";
+    for (char c : std::to_string(std::abs(exponent))) text += digits[c - '0'];
+    return text;
+}
+
+// "4.75e+02"
+std::string scientific(double magnitude, int digits)
+{
+    char text[40];
+    const char* end = std::to_chars(text, text + sizeof text, magnitude, std::chars_format::scientific, digits - 1).ptr;
+    return std::string(static_cast<const char*>(text), end);
+}
+
+}  // namespace
+
+std::string exactNumber(double value)
+{
+    if (!std::isfinite(value)) return "";
+    char text[40];
+    return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
+}
+
+std::string roundedNumber(double value, int digits)
+{
+    if (!std::isfinite(value)) return "–";
+    if (value == 0.0) return "0";
+    const std::string sign = value < 0.0 ? "−" : "";
+    const double magnitude = std::abs(value);
+    const std::string text = scientific(magnitude, digits);  // rounding may lead to the next power of ten
+    const size_t e = text.find('e');
+    const int exponent = std::stoi(text.substr(e + 1));
+    if (exponent >= 6 || exponent < -4) return sign + text.substr(0, e) + "×10" + raised(exponent);
+    return sign + fixed(magnitude, std::max(0, digits - 1 - exponent));
+}
+
+std::string percent(double value)
+{
+    return roundedNumber(100.0 * value, 2) + " %";
+}
+
+std::string milliseconds(double value)
+{
+    return roundedNumber(value) + " ms";
+}
+
+std::string coordinate(double value)
+{
+    return fixed(value, 2);
+}
+
+std::string escaped(const std::string& text)
+{
+    std::string result;
+    for (char c : text) {
+        if (c == '<')
+            result += "&lt;";
+        else if (c == '>')
+            result += "&gt;";
+        else if (c == '&')
+            result += "&amp;";
+        else if (c == '"')
+            result += "&quot;";
+        else if (c == '\'')
+            result += "&#39;";
+        else if (static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t')
+            result += "�";
+        else
+            result += c;
+    }
+    return result;
+}
+
+size_t letters(const std::string& text)
+{
+    return size_t(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+}  // namespace tradeoff

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Numbers and names as text, whatever the locale is.
+#pragma once
+
+#include <string>
+
+namespace tradeoff
+{
+
+/** Unrounded, as C, CSV and JSON read it; "" if it is not finite. */
+std::string exactNumber(double value);
+
+/** For people: "475", "0.047", "1.2×10⁶"; an en dash if it is not finite. */
+std::string roundedNumber(double value, int digits = 3);
+
+/** The same of 100 times the value, with two digits: "2.1 %". */
+std::string percent(double value);
+
+/** "47.5 ms" */
+std::string milliseconds(double value);
+
+/** With two decimals, for the coordinates of SVG. */
+std::string coordinate(double value);
+
+/** Text as it stands in HTML and in the value of an attribute. */
+std::string escaped(const std::string& text);
+
+/** How many letters of UTF-8. */
+size_t letters(const std::string& text);
+
+}  // namespace tradeoff
