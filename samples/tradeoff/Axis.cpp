@@ -14,8 +14,8 @@ namespace
 
 const double margin = 0.06;           // of the axis, on both sides
 const double leastSpan = 0.2;         // decades
-const double leastNumber = 1e-290;    // keeps margins finite
-const double greatestNumber = 1e290;
+const double leastNumber = 1e-250;    // keeps margins finite
+const double greatestNumber = 1e250;
 
 std::vector<double> decadeTicks(double low, double high, const std::vector<double>& digits, int every)
 {

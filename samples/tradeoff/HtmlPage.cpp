@@ -55,12 +55,21 @@ std::string header(const Report& report, const Summary& summary)
     return html + "</header>\n";
 }
 
-std::string card(const Report& report, const Answer& answer)
+std::string comparedWith(const Point& usual, const Point& p)
+{
+    std::string text = roundedNumber(p.frame.median / usual.frame.median, 2) + " × the time";
+    const bool known = usual.beauty.resolved && p.beauty.resolved && usual.beauty.error() > 0.0;
+    if (known) text += ", " + roundedNumber(p.beauty.error() / usual.beauty.error(), 2) + " × the error";
+    return "<p class=\"compared\">" + text + " of the defaults</p>\n";
+}
+
+std::string card(const Report& report, const Summary& summary, const Answer& answer)
 {
     std::string html = "<article><h3>" + escaped(answer.question) + "</h3>\n";
     if (!answer.point) return html + "<p>" + escaped(answer.none) + "</p></article>\n";
     const Point& p = report.points[*answer.point];
     html += "<p class=\"big\">" + milliseconds(p.frame.median) + "<span>" + escaped(errorText(p.beauty)) + " error</span></p>\n";
+    if (summary.usual && !p.settings.empty()) html += comparedWith(report.points[*summary.usual], p);
     html += "<p>" + escaped(settingsOf(p)) + "</p>\n";
     if (!p.settings.empty())
         html += "<details><summary>for scene.envlight</summary><pre>" + escaped(settingsJson(p)) + "</pre></details>\n";
@@ -70,7 +79,7 @@ std::string card(const Report& report, const Answer& answer)
 std::string cards(const Report& report, const Summary& summary)
 {
     std::string html;
-    for (const Answer& a : answersOf(report, summary)) html += card(report, a);
+    for (const Answer& a : answersOf(report, summary)) html += card(report, summary, a);
     return "<section class=\"cards\" aria-label=\"Answers\">\n" + html + "</section>\n";
 }
 

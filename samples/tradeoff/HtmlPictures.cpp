@@ -70,7 +70,7 @@ std::string termSection(const Report& report, const TermPictures& term)
 std::string comparison(const Report& report)
 {
     if (isEmpty(report.ours) || isEmpty(report.reference)) return "";
-    const int times = std::max(1, 960 / report.ours.width);
+    const int times = std::max(1, 768 / report.ours.width);
     return "<figure id=\"comparison\" style=\"--size:" + std::to_string(times * report.ours.width) +
            "px\">\n<div class=\"views\">\n<div class=\"view\">" +
            exposed(report, report.reference, "The reference, path traced") + "<span>reference</span></div>\n<div class=\"view over\">" +

@@ -105,8 +105,8 @@ std::string pointsTable(const Report& report, const Summary& summary)
     if (rows.empty()) return "";
     const std::string passes =
         summary.passes.empty() ? "" : "<p><label class=\"switch\"><input type=\"checkbox\" id=\"passes\"> times of the passes</label></p>\n";
-    return "<div class=\"points\">\n" + passes + "<div class=\"scroll\"><table>\n<caption>All " + std::to_string(report.points.size()) +
-           " settings; dominated ones are grey. A heading sorts.</caption>\n<thead><tr>" + header(summary) +
+    return "<div class=\"points\">\n" + passes + "<div class=\"scroll\"><table>\n<caption><span>All " + std::to_string(report.points.size()) +
+           " settings; dominated ones are grey. A heading sorts.</span></caption>\n<thead><tr>" + header(summary) +
            "</tr></thead>\n<tbody>\n" + rows + "</tbody>\n</table></div>\n</div>\n";
 }
 

@@ -36,7 +36,7 @@ std::vector<std::optional<Box>> placeLabels(const std::vector<Label>& labels, co
         return inside.contains(b) && std::none_of(taken.begin(), taken.end(), [&](const Box& t) { return t.overlaps(b); });
     };
     const auto find = [&](const Label& label) -> std::optional<Box> {
-        for (double distance : {6.0, 12.0, 20.0, 30.0, 42.0})
+        for (double distance : {7.0, 13.0, 20.0, 28.0})
             for (int direction = 0; direction < 8; ++direction) {
                 const Box box = boxAt(label, direction, distance);
                 if (isFree(box)) return box;

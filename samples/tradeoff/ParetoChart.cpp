@@ -124,13 +124,18 @@ class ParetoChart
     {
         if (_summary.front.empty()) return;
         std::string d;
-        double before = _plot.inside().top;
-        for (size_t i : _summary.front) {
-            const Point& p = _report.points[i];
-            d += (d.empty() ? "M" : "L") + coordinate(xOf(p)) + " " + coordinate(before) + "V" + coordinate(yOf(p));
-            before = yOf(p);
-        }
-        _plot.add("<path class=\"frontline\" d=\"" + d + "H" + coordinate(_plot.inside().right) + "\"/>");
+        double x = xOf(_report.points[_summary.front[0]]);
+        double y = _plot.inside().top;
+        const auto step = [&](double nextX, double nextY) {
+            d += (d.empty() ? "M" : "L") + coordinate(nextX) + " " + coordinate(y) + "V" + coordinate(nextY);
+            _frontline.push_back({x, y - 1.0, nextX, y + 1.0});
+            _frontline.push_back({nextX - 1.0, y, nextX + 1.0, nextY});
+            x = nextX;
+            y = nextY;
+        };
+        for (size_t i : _summary.front) step(xOf(_report.points[i]), yOf(_report.points[i]));
+        step(_plot.inside().right, y);
+        _plot.add("<path class=\"frontline\" d=\"" + d + "\"/>");
     }
 
     std::string describe(const Point& p) const
@@ -178,10 +183,12 @@ class ParetoChart
         for (size_t i = 0; i < _report.points.size(); ++i) {
             const Point& p = _report.points[i];
             if (!p.measured()) continue;
-            obstacles.push_back(around(xOf(p), yOf(p), markRadius));
-            if (p.sweep == "preset" && isDominated(_report.points, i) && i != _summary.usual) add(i, p.value, "faint");
+            const bool ringed = i == _summary.usual || i == _summary.knee;
+            obstacles.push_back(around(xOf(p), yOf(p), ringed ? 2.0 * markRadius : markRadius));
+            if (_wide && p.sweep == "preset" && isDominated(_report.points, i) && i != _summary.usual) add(i, p.value, "faint");
         }
         if (_noise) obstacles.push_back(*_noise);
+        obstacles.insert(obstacles.end(), _frontline.begin(), _frontline.end());
         _plot.labels(labels, obstacles);
     }
 
@@ -190,7 +197,8 @@ class ParetoChart
     const bool _wide;
     const double _floor;
     Plot _plot;
-    std::optional<Box> _noise;  // its text
+    std::optional<Box> _noise;    // its text
+    std::vector<Box> _frontline;  // its steps
 };
 
 std::string legend(const Report& report, const Summary& summary)

@@ -18,6 +18,7 @@ const double width = 440.0;
 const double height = 300.0;
 const double right = 96.0;
 const size_t mostPasses = 6;
+const double leastDeviation = 0.001;  // that is told from none
 
 struct Curve {
     std::string name;
@@ -28,8 +29,13 @@ struct Curve {
     size_t points = 0;  // fitted or not
 };
 
-std::string colorOf(size_t index)
+// A term and the pass that makes it have one colour.
+std::string colorOf(const Summary& summary, const std::string& name)
 {
+    std::vector<std::string> names = summary.terms;
+    for (const std::string& pass : summary.passes)
+        if (std::find(names.begin(), names.end(), pass) == names.end()) names.push_back(pass);
+    const auto index = std::find(names.begin(), names.end(), name) - names.begin();
     return "c" + std::to_string(index % 8);
 }
 
@@ -56,7 +62,7 @@ Curve errorCurve(const std::string& name, const std::string& style, const std::v
 std::vector<Curve> errorCurves(const Summary& summary, const std::vector<const Point*>& points)
 {
     std::vector<Curve> curves = {errorCurve("all", "whole", points)};
-    for (size_t i = 0; i < summary.terms.size(); ++i) curves.push_back(errorCurve(summary.terms[i], colorOf(i), points));
+    for (const std::string& term : summary.terms) curves.push_back(errorCurve(term, colorOf(summary, term), points));
     return curves;
 }
 
@@ -85,8 +91,8 @@ std::vector<Curve> timeCurves(const Summary& summary, const std::vector<const Po
     double longest = 0.0;
     for (const Plot::Place& p : curves[0].known) longest = std::max(longest, p.y);
     std::vector<Curve> passes;
-    for (size_t i = 0; i < summary.passes.size(); ++i) {
-        Curve pass = timeCurve(summary.passes[i], colorOf(i), points);
+    for (const std::string& name : summary.passes) {
+        const Curve pass = timeCurve(name, colorOf(summary, name), points);
         if (change(pass) > 0.03 * longest) passes.push_back(pass);
     }
     std::stable_sort(passes.begin(), passes.end(), [](const Curve& a, const Curve& b) { return change(a) > change(b); });
@@ -212,13 +218,13 @@ std::string floorText(const Curve& curve)
 std::string fitRow(const Curve& c)
 {
     std::string row = "<tr><th scope=\"row\"><span class=\"key " + c.style + "\"></span>" + escaped(c.name) + "</th>";
-    if (!c.fit.valid()) return row + "<td colspan=\"4\">too few errors that the reference can tell</td></tr>\n";
+    if (!c.fit.valid()) return row + "<td colspan=\"5\">too few errors that the reference can tell</td></tr>\n";
     const bool law = c.fit.a > 0.0;
     row += cell(law ? percent(c.fit.a) + " · N<sup>" + roundedNumber(-c.fit.p, 2) + "</sup>" : "–");
     row += cell(law ? roundedNumber(-c.fit.p, 2) : "0");
     row += cell(c.fit.used.size() > 2 ? floorText(c) : "two points can't tell");
-    row += cell("± " + percent(std::expm1(c.fit.deviation)) + ", " + std::to_string(c.fit.used.size()) + " of " +
-                std::to_string(c.points));
+    row += cell(c.fit.deviation < leastDeviation ? "< " + percent(leastDeviation) : "± " + percent(std::expm1(c.fit.deviation)));
+    row += cell(std::to_string(c.fit.used.size()) + " of " + std::to_string(c.points));
     return row + "</tr>\n";
 }
 
@@ -226,10 +232,10 @@ std::string fitTable(const std::vector<Curve>& curves, const std::string& name)
 {
     std::string rows;
     for (const Curve& c : curves) rows += fitRow(c);
-    return "<div class=\"scroll\"><table class=\"fits\">\n<caption>Error = a N<sup>−p</sup> + b, N = " + escaped(name) +
-           "; b is what more of it does not lessen: bias</caption>\n<thead><tr><th scope=\"col\">term</th><th scope=\"col\">a "
-           "N<sup>−p</sup></th><th scope=\"col\">slope −p</th><th scope=\"col\">floor b</th><th scope=\"col\">deviation, "
-           "points</th></tr></thead>\n<tbody>\n" +
+    return "<div class=\"scroll\"><table class=\"fits\">\n<caption><span>Error = a N<sup>−p</sup> + b, N = " + escaped(name) +
+           "; b is what more of it does not lessen: bias</span></caption>\n<thead><tr><th scope=\"col\">term</th><th scope=\"col\">a "
+           "N<sup>−p</sup></th><th scope=\"col\">slope −p</th><th scope=\"col\">floor b</th><th scope=\"col\">deviation</th>"
+           "<th scope=\"col\">points</th></tr></thead>\n<tbody>\n" +
            rows + "</tbody>\n</table></div>\n";
 }
 

@@ -11,6 +11,8 @@ namespace tradeoff
 namespace
 {
 
+const char* const noBreak = "\u00a0";
+
 std::string fixed(double value, int decimals)
 {
     char text[400];  // 1.8e308 has 309 digits
@@ -57,12 +59,12 @@ std::string roundedNumber(double value, int digits)
 
 std::string percent(double value)
 {
-    return roundedNumber(100.0 * value, 2) + " %";
+    return roundedNumber(100.0 * value, 2) + noBreak + "%";
 }
 
 std::string milliseconds(double value)
 {
-    return roundedNumber(value) + " ms";
+    return roundedNumber(value) + noBreak + "ms";
 }
 
 std::string coordinate(double value)
