@@ -12,9 +12,9 @@ namespace tradeoff
 namespace
 {
 
-const double margin = 0.06;           // of the axis, on both sides
-const double leastSpan = 0.2;         // decades
-const double leastNumber = 1e-250;    // keeps margins finite
+const double margin = 0.06;         // of the axis, on both sides
+const double leastSpan = 0.2;       // decades
+const double leastNumber = 1e-250;  // keeps margins finite
 const double greatestNumber = 1e250;
 
 std::vector<double> decadeTicks(double low, double high, const std::vector<double>& digits, int every)
@@ -60,7 +60,7 @@ std::vector<double> logTicks(double low, double high, size_t most)
 
 double Axis::place(double value) const
 {
-    return std::log(value / low) / std::log(high / low);
+    return (std::log(value) - std::log(low)) / (std::log(high) - std::log(low));
 }
 
 std::string Axis::tickText(double value) const

@@ -50,8 +50,9 @@ std::string header(const Report& report, const Summary& summary)
         html += "<p class=\"warning\" role=\"note\"><strong>Interrupted.</strong> " + escaped(report.interruption) +
                 " What follows is what was measured until then.</p>\n";
     if (report.quick)
-        html += "<p class=\"warning quiet\" role=\"note\"><strong>Quick run.</strong> Fewer settings, frames and paths than a full "
-                "one: good for a first look.</p>\n";
+        html +=
+            "<p class=\"warning quiet\" role=\"note\"><strong>Quick run.</strong> Fewer settings, frames and paths than a full "
+            "one: good for a first look.</p>\n";
     return html + "</header>\n";
 }
 
@@ -117,7 +118,8 @@ std::string htmlPage(const Report& report)
            section("Time against error", paretoFigure(report, summary) + pointsTable(report, summary)) +
            section("Where the error is", termSections(report)) +
            section("What each setting buys", sweepFigures(report, summary)) + section("How it was measured", conditions(report)) +
-           section("Limits", limits(report)) + "</main>\n<footer><p>Written by envlight-tradeoff of osgEnvLight; the same figures, "
+           section("Limits", limits(report)) +
+           "</main>\n<footer><p>Written by envlight-tradeoff of osgEnvLight; the same figures, "
            "unrounded, are in tradeoff.csv and tradeoff.json.</p></footer>\n<script>\n" +
            pageScript + "</script>\n</body>\n</html>\n";
 }

@@ -43,8 +43,9 @@ std::string sharesTable(const TermPictures& term)
     std::string rows;
     for (const auto& [name, share] : term.shares) {
         const double length = std::isfinite(share) ? std::fmin(std::fmax(share, 0.0), 1.0) : 0.0;
-        rows += "<tr><th scope=\"row\">" + escaped(name) + "</th><td class=\"bar\"><span style=\"width:" +
-                coordinate(100.0 * length) + "%\"></span></td><td>" + percent(share) + "</td></tr>\n";
+        rows += "<tr><th scope=\"row\">" + escaped(name) +
+                "</th><td class=\"bar\"><span style=\"width:" + coordinate(100.0 * length) + "%\"></span></td><td>" +
+                percent(share) + "</td></tr>\n";
     }
     if (rows.empty()) return "";
     return "<table class=\"shares\">\n<caption>Shares of the squared error</caption>\n<tbody>\n" + rows + "</tbody>\n</table>\n";
@@ -73,7 +74,8 @@ std::string comparison(const Report& report)
     const int times = std::max(1, 768 / report.ours.width);
     return "<figure id=\"comparison\" style=\"--size:" + std::to_string(times * report.ours.width) +
            "px\">\n<div class=\"views\">\n<div class=\"view\">" +
-           exposed(report, report.reference, "The reference, path traced") + "<span>reference</span></div>\n<div class=\"view over\">" +
+           exposed(report, report.reference, "The reference, path traced") +
+           "<span>reference</span></div>\n<div class=\"view over\">" +
            exposed(report, report.ours, "Real time, with the default settings") +
            "<span>real time</span></div>\n</div>\n<input type=\"range\" min=\"0\" max=\"100\" step=\"0.5\" value=\"50\" "
            "aria-label=\"Border between real time, on the left, and the reference\">\n<figcaption>Real time with the default "

@@ -30,7 +30,8 @@ std::string number(double value, int digits = 2)
 
 std::string errorCell(const Figures* figures, const std::string& style = "")
 {
-    return figures && std::isfinite(figures->error()) ? cell(errorText(*figures), figures->error(), style) : cell("–", unknown, style);
+    return figures && std::isfinite(figures->error()) ? cell(errorText(*figures), figures->error(), style)
+                                                      : cell("–", unknown, style);
 }
 
 std::string range(const Spread& s)
@@ -54,7 +55,8 @@ std::string header(const Summary& summary)
                        heading("error", "Root of the relative squared error");
     for (const std::string& term : summary.terms) html += heading(term, "The same of the term " + term + " alone");
     html += heading("bias", "Mean of ours - reference [radiance]") + heading("RMSE", "[radiance]") +
-            heading("p99", "99th percentile of the absolute error [radiance]") + heading("SSIM", "Structural similarity; 1: alike") +
+            heading("p99", "99th percentile of the absolute error [radiance]") +
+            heading("SSIM", "Structural similarity; 1: alike") +
             heading("FLIP", "Difference that is seen when flipping between the pictures; 0: none");
     for (const std::string& pass : summary.passes) html += heading(pass + ", ms", "Median of the pass's time", "pass");
     return html;
@@ -92,8 +94,9 @@ std::string row(const Report& report, const Summary& summary, size_t index)
     // A sweep's only setting is its name already.
     if (p.settings.size() > 1 || p.sweep == "preset") name += " <small>" + escaped(settings) + "</small>";
     if (p.failed && !p.failure.empty()) name += " <small>" + escaped(p.failure) + "</small>";
-    return "<tr id=\"p" + std::to_string(index) + "\" class=\"" + style + "\"><th scope=\"row\" data-key=\"" + std::to_string(index) +
-           "\">" + name + badges(summary, index) + "</th>" + (p.failed ? failedCells(summary) : figureCells(summary, p)) + "</tr>\n";
+    return "<tr id=\"p" + std::to_string(index) + "\" class=\"" + style + "\"><th scope=\"row\" data-key=\"" +
+           std::to_string(index) + "\">" + name + badges(summary, index) + "</th>" +
+           (p.failed ? failedCells(summary) : figureCells(summary, p)) + "</tr>\n";
 }
 
 }  // namespace
@@ -104,8 +107,11 @@ std::string pointsTable(const Report& report, const Summary& summary)
     for (size_t i = 0; i < report.points.size(); ++i) rows += row(report, summary, i);
     if (rows.empty()) return "";
     const std::string passes =
-        summary.passes.empty() ? "" : "<p><label class=\"switch\"><input type=\"checkbox\" id=\"passes\"> times of the passes</label></p>\n";
-    return "<div class=\"points\">\n" + passes + "<div class=\"scroll\"><table>\n<caption><span>All " + std::to_string(report.points.size()) +
+        summary.passes.empty()
+            ? ""
+            : "<p><label class=\"switch\"><input type=\"checkbox\" id=\"passes\"> times of the passes</label></p>\n";
+    return "<div class=\"points\">\n" + passes + "<div class=\"scroll\"><table>\n<caption><span>All " +
+           std::to_string(report.points.size()) +
            " settings; dominated ones are grey. A heading sorts.</span></caption>\n<thead><tr>" + header(summary) +
            "</tr></thead>\n<tbody>\n" + rows + "</tbody>\n</table></div>\n</div>\n";
 }

@@ -12,7 +12,7 @@ namespace tradeoff
 namespace
 {
 
-const double letterWidth = 6.9;  // of the widest usual font at the labels' size
+const double letterWidth = 7.4;  // of the widest usual font at the labels' size
 const double textHeight = 14.0;
 
 Box boxAt(const Label& label, int direction, double distance)
@@ -29,7 +29,8 @@ Box boxAt(const Label& label, int direction, double distance)
 
 }  // namespace
 
-std::vector<std::optional<Box>> placeLabels(const std::vector<Label>& labels, const std::vector<Box>& obstacles, const Box& inside)
+std::vector<std::optional<Box>> placeLabels(const std::vector<Label>& labels, const std::vector<Box>& obstacles,
+                                            const Box& inside)
 {
     std::vector<Box> taken = obstacles;
     const auto isFree = [&](const Box& b) {

@@ -46,6 +46,7 @@ class ParetoChart
 
     std::string svg()
     {
+        for (size_t i = 0; i < _report.points.size(); ++i) addObstacle(i);
         drawNoise();
         drawSweeps();
         drawFront();
@@ -55,7 +56,6 @@ class ParetoChart
             if (_report.points[i].measured() && !isDominated(_report.points, i)) drawMark(i, "front");
         drawRings();
         drawLabels();
-        if (_summary.front.empty()) _plot.text(_plot.x(std::sqrt(10.0)), _plot.y(std::sqrt(10.0)), "nothing measured", "middle");
         return _plot.svg(_wide ? "chart pareto wide" : "chart pareto narrow",
                          "Time of a frame against error, both logarithmic, of all settings; the table below has the numbers");
     }
@@ -71,6 +71,7 @@ class ParetoChart
     }
 
     double shown(const Point& p) const { return p.beauty.error() > 0.0 ? p.beauty.error() : _floor; }
+    bool isBound(const Point& p) const { return !p.beauty.resolved || !(p.beauty.error() > 0.0); }
     double xOf(const Point& p) const { return _plot.x(p.frame.median); }
     double yOf(const Point& p) const { return _plot.y(shown(p)); }
 
@@ -91,18 +92,33 @@ class ParetoChart
         return Plot(x, y, _wide ? 1000.0 : 380.0, _wide ? 600.0 : 460.0, 12.0);
     }
 
+    // Labels keep off the marks and their rings and arrows.
+    void addObstacle(size_t index)
+    {
+        const Point& p = _report.points[index];
+        if (!p.measured()) return;
+        const bool ringed = index == _summary.usual || index == _summary.knee;
+        _marks.push_back(around(xOf(p), yOf(p), ringed ? 2.0 * markRadius : markRadius));
+        if (isBound(p)) _marks.back().bottom += 10.0;
+    }
+
     // Where the reference's own noise is as large as the error.
     void drawNoise()
     {
-        const Choice any = _summary.usual ? _summary.usual : _summary.knee;
-        if (!any || !(_report.points[*any].beauty.noise > 0.0)) return;
+        const double noise = _report.points[_summary.usual.value_or(_summary.front[0])].beauty.noise;
         const Box& b = _plot.inside();
-        const double y = std::max(_plot.y(_report.points[*any].beauty.noise), b.top);
+        const double y = noise > 0.0 ? std::max(_plot.y(noise), b.top) : b.bottom;
         if (y >= b.bottom) return;
         _plot.add("<rect class=\"noise\" x=\"" + coordinate(b.left) + "\" y=\"" + coordinate(y) + "\" width=\"" +
                   coordinate(b.right - b.left) + "\" height=\"" + coordinate(b.bottom - y) + "\"/>");
-        _noise = Box{b.right - (_wide ? 240.0 : 160.0), y, b.right, std::min(y + 16.0, b.bottom)};
-        _plot.text(b.right - 6.0, y + 12.0, _wide ? "below the noise of the reference" : "noise of the reference", "hint end");
+        const double length = 150.0;
+        for (double right = b.right; right >= b.left + length; right -= 10.0) {
+            const Box box{right - length, y, right, std::min(y + 16.0, b.bottom)};
+            if (std::any_of(_marks.begin(), _marks.end(), [&](const Box& m) { return m.overlaps(box); })) continue;
+            _noise = box;
+            _plot.text(right - 6.0, y + 13.0, "noise of the reference", "hint end");
+            return;
+        }
     }
 
     void drawSweeps()
@@ -122,7 +138,6 @@ class ParetoChart
     // Between two settings nothing was measured: the error stays until the next one is affordable.
     void drawFront()
     {
-        if (_summary.front.empty()) return;
         std::string d;
         double x = xOf(_report.points[_summary.front[0]]);
         double y = _plot.inside().top;
@@ -153,7 +168,7 @@ class ParetoChart
         if (style == "front" && p.frame.high > p.frame.low && p.frame.low > 0.0)
             mark += "<path class=\"spread\" d=\"M" + coordinate(std::max(_plot.x(p.frame.low), _plot.inside().left)) + " " +
                     coordinate(yOf(p)) + "H" + coordinate(std::min(_plot.x(p.frame.high), _plot.inside().right)) + "\"/>";
-        if (!p.beauty.resolved || !(p.beauty.error() > 0.0)) mark += downArrow(xOf(p), yOf(p));
+        if (isBound(p)) mark += downArrow(xOf(p), yOf(p));
         mark += "<path d=\"" + markPath(shapeOf(sweep), style == "front" ? markRadius : 0.8 * markRadius) + "\"" +
                 at(xOf(p), yOf(p)) + "/></a>";
         _plot.add(mark);
@@ -170,23 +185,22 @@ class ParetoChart
 
     void drawLabels()
     {
-        std::vector<Box> obstacles;
         std::vector<Label> labels;
         const auto add = [&](const Choice& choice, const std::string& text, const char* style) {
             if (choice) labels.push_back({xOf(_report.points[*choice]), yOf(_report.points[*choice]), text, style});
         };
         const bool same = _summary.usual && _summary.usual == _summary.knee;
         add(_summary.usual, same ? "default and knee" : "default", "strong");
-        if (!same) add(_summary.knee, "knee" + (_wide ? ": " + nameOf(_report.points[_summary.knee.value_or(0)]) : ""), "strong");
+        if (_summary.knee && !same)
+            add(_summary.knee, _wide ? "knee: " + nameOf(_report.points[*_summary.knee]) : "knee", "strong");
         for (size_t i : _summary.front)
-            if (i != _summary.usual && i != _summary.knee) add(i, nameOf(_report.points[i]), "");
+            if (i != _summary.usual && i != _summary.knee && (_wide || _report.points[i].sweep == "preset"))
+                add(i, nameOf(_report.points[i]), "");
         for (size_t i = 0; i < _report.points.size(); ++i) {
             const Point& p = _report.points[i];
-            if (!p.measured()) continue;
-            const bool ringed = i == _summary.usual || i == _summary.knee;
-            obstacles.push_back(around(xOf(p), yOf(p), ringed ? 2.0 * markRadius : markRadius));
             if (_wide && p.sweep == "preset" && isDominated(_report.points, i) && i != _summary.usual) add(i, p.value, "faint");
         }
+        std::vector<Box> obstacles = _marks;
         if (_noise) obstacles.push_back(*_noise);
         obstacles.insert(obstacles.end(), _frontline.begin(), _frontline.end());
         _plot.labels(labels, obstacles);
@@ -197,6 +211,7 @@ class ParetoChart
     const bool _wide;
     const double _floor;
     Plot _plot;
+    std::vector<Box> _marks;
     std::optional<Box> _noise;    // its text
     std::vector<Box> _frontline;  // its steps
 };
@@ -224,10 +239,12 @@ std::string downArrow(double x, double y)
 
 std::string paretoFigure(const Report& report, const Summary& summary)
 {
+    if (summary.front.empty()) return "";
     return "<figure id=\"pareto\">\n" + legend(report, summary) + ParetoChart(report, summary, true).svg() +
            ParetoChart(report, summary, false).svg() +
            "<figcaption>Down and left is better. The step line is the Pareto front: what each time buys at most. Marks in colour "
-           "are on it, with bars from the 10th to the 90th percentile of the time; grey ones are dominated, another setting being "
+           "are on it, with bars from the 10th to the 90th percentile of the time; grey ones are dominated, another setting "
+           "being "
            "no slower and no less exact. An arrow: the error is no larger than that, and the reference can't tell how much less "
            "it is. A mark leads to its row of the table.</figcaption>\n</figure>\n";
 }

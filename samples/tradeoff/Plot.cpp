@@ -13,7 +13,6 @@ namespace tradeoff
 namespace
 {
 
-const double leftMargin = 62.0;
 const double topMargin = 30.0;
 const double bottomMargin = 44.0;
 const double pi = 3.14159265358979323846;
@@ -41,7 +40,8 @@ Corners cross(bool tilted)
 {
     const double a = 0.42;
     const double b = 1.15;
-    Corners corners = {{-a, -b}, {a, -b}, {a, -a}, {b, -a}, {b, a}, {a, a}, {a, b}, {-a, b}, {-a, a}, {-b, a}, {-b, -a}, {-a, -a}};
+    Corners corners = {{-a, -b}, {a, -b}, {a, -a}, {b, -a}, {b, a},   {a, a},
+                       {a, b},   {-a, b}, {-a, a}, {-b, a}, {-b, -a}, {-a, -a}};
     const double c = std::sqrt(0.5);
     if (tilted)
         for (auto& [x, y] : corners) std::tie(x, y) = std::pair(c * (x - y), c * (x + y));
@@ -73,18 +73,25 @@ std::string markPath(size_t shape, double radius)
             const std::string arc = "a" + coordinate(r) + " " + coordinate(r) + " 0 1 0 ";
             return "M" + coordinate(-r) + " 0" + arc + coordinate(2 * r) + " 0" + arc + coordinate(-2 * r) + " 0Z";
         }
-        case 1: return path({{-0.88, -0.88}, {0.88, -0.88}, {0.88, 0.88}, {-0.88, 0.88}}, r);
-        case 2: return path({{0, -1.2}, {1.1, 0.8}, {-1.1, 0.8}}, r);
-        case 3: return path({{0, -1.25}, {1.25, 0}, {0, 1.25}, {-1.25, 0}}, r);
-        case 4: return path({{0, 1.2}, {1.1, -0.8}, {-1.1, -0.8}}, r);
-        case 5: return path(cross(false), r);
-        case 6: return path(star(5, 0.6), r);
-        default: return path(cross(true), r);
+        case 1:
+            return path({{-0.88, -0.88}, {0.88, -0.88}, {0.88, 0.88}, {-0.88, 0.88}}, r);
+        case 2:
+            return path({{0, -1.2}, {1.1, 0.8}, {-1.1, 0.8}}, r);
+        case 3:
+            return path({{0, -1.25}, {1.25, 0}, {0, 1.25}, {-1.25, 0}}, r);
+        case 4:
+            return path({{0, 1.2}, {1.1, -0.8}, {-1.1, -0.8}}, r);
+        case 5:
+            return path(cross(false), r);
+        case 6:
+            return path(star(5, 0.6), r);
+        default:
+            return path(cross(true), r);
     }
 }
 
 Plot::Plot(const Axis& x, const Axis& y, double width, double height, double right)
-    : _x(x), _y(y), _width(width), _height(height), _inside{leftMargin, topMargin, width - right, height - bottomMargin}
+    : _x(x), _y(y), _width(width), _height(height), _inside{left, topMargin, width - right, height - bottomMargin}
 {
 }
 
@@ -120,10 +127,17 @@ void Plot::labels(const std::vector<Label>& labels, const std::vector<Box>& obst
         const double nearX = std::clamp(label.x, box.left, box.right);
         const double nearY = std::clamp(label.y, box.top, box.bottom);
         if (std::hypot(nearX - label.x, nearY - label.y) > 15.0) _content += rule(label.x, label.y, nearX, nearY, "leader");
-        const bool right = box.left >= label.x;
-        const bool left = box.right <= label.x;
-        _content += textAt(right ? box.left : left ? box.right : label.x, box.bottom - 3.5, label.text,
-                           "label " + std::string(right ? "" : left ? "end " : "middle ") + label.style);
+        const bool before = box.right <= label.x;
+        const bool behind = box.left >= label.x;
+        _content += textAt(behind   ? box.left
+                           : before ? box.right
+                                    : label.x,
+                           box.bottom - 3.5, label.text,
+                           "label " +
+                               std::string(behind   ? ""
+                                           : before ? "end "
+                                                    : "middle ") +
+                               label.style);
     }
 }
 

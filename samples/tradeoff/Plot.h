@@ -12,7 +12,7 @@ namespace tradeoff
 /** A logarithmic axis. */
 struct Axis {
     std::string title;
-    std::string unit;    // behind the tick's number; "%": numbers are times 100
+    std::string unit;  // behind the tick's number; "%": numbers are times 100
     double low = 1.0;
     double high = 10.0;
     std::vector<double> ticks;
@@ -34,10 +34,7 @@ struct Box {
     double bottom;
 
     bool overlaps(const Box& b) const { return left < b.right && b.left < right && top < b.bottom && b.top < bottom; }
-    bool contains(const Box& b) const
-    {
-        return b.left >= left && b.top >= top && b.right <= right && b.bottom <= bottom;
-    }
+    bool contains(const Box& b) const { return b.left >= left && b.top >= top && b.right <= right && b.bottom <= bottom; }
 };
 
 /** A text beside a place. */
@@ -50,7 +47,8 @@ struct Label {
 
 /** Where each label goes so that it stays inside and overlaps neither another nor an obstacle, the first choose first; none
  * where there is no room.*/
-std::vector<std::optional<Box>> placeLabels(const std::vector<Label>& labels, const std::vector<Box>& obstacles, const Box& inside);
+std::vector<std::optional<Box>> placeLabels(const std::vector<Label>& labels, const std::vector<Box>& obstacles,
+                                            const Box& inside);
 
 /** Moves texts of one column apart: the result has the order of the values and gaps of at least this, within low..high if
  * they fit. */
@@ -62,7 +60,10 @@ std::string markPath(size_t shape, double radius);
 class Plot
 {
   public:
-    /** Pixels; the rest of the margins is that of the axes. */
+    /** The margin that the numbers of the vertical axis need. */
+    static constexpr double left = 62.0;
+
+    /** Pixels, and the margin on the right. */
     Plot(const Axis& x, const Axis& y, double width, double height, double right);
 
     double x(double value) const;

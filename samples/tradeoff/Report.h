@@ -63,9 +63,9 @@ struct TermPictures {
     std::string term;
     osgEnvLight::Picture ours;
     osgEnvLight::Picture reference;
-    osgEnvLight::Picture difference;  // false colours of ours - reference, sRGB in 0..1
-    std::string differenceLegend;     // "red: too bright, blue: too dark, full colour from 0.2"
-    std::string sentence;             // "72 % of the squared error is occlusion by what is outside the view"
+    osgEnvLight::Picture difference;                     // false colours of ours - reference, sRGB in 0..1
+    std::string differenceLegend;                        // "red: too bright, blue: too dark, full colour from 0.2"
+    std::string sentence;                                // "72 % of the squared error is occlusion by what is outside the view"
     std::vector<std::pair<std::string, double>> shares;  // of the squared error, 0..1
 };
 
@@ -82,13 +82,13 @@ struct Report {
     int width = 0;
     int height = 0;
     std::string date;
-    std::string command;            // that makes the report again
-    Texts hardware;                 // renderer, version, driver, CPU, cores, software or hardware
-    Texts defaults;                 // all settings, by name
-    std::string timeStatement;      // how many frames warm up and count, what a pass's time is
-    std::string referenceStatement; // paths, samples a pixel, the noise
-    std::string errorStatement;     // what error is relative to
-    double exposure = 0.0;          // of the pictures [stops]
+    std::string command;             // that makes the report again
+    Texts hardware;                  // renderer, version, driver, CPU, cores, software or hardware
+    Texts defaults;                  // all settings, by name
+    std::string timeStatement;       // how many frames warm up and count, what a pass's time is
+    std::string referenceStatement;  // paths, samples a pixel, the noise
+    std::string errorStatement;      // what error is relative to
+    double exposure = 0.0;           // of the pictures [stops]
     bool quick = false;
     bool interrupted = false;
     std::string interruption;        // "after 12 of 48 settings, by Ctrl-C"

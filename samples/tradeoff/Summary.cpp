@@ -86,7 +86,7 @@ std::string headline(const Report& report, const Summary& summary)
     if (summary.front.empty()) return "Nothing could be measured.";
     if (!summary.usual) {
         const Point& knee = report.points[*summary.knee];
-        return "The default settings could not be measured. The knee of the others, " + nameOf(knee) + ": " + cost(knee) + ".";
+        return "The default settings were not measured. The knee of the others, " + nameOf(knee) + ": " + cost(knee) + ".";
     }
     const Point& usual = report.points[*summary.usual];
     return "Default settings: " + cost(usual) + prospects(report, usual) + ".";

@@ -19,6 +19,10 @@ const double height = 300.0;
 const double right = 96.0;
 const size_t mostPasses = 6;
 const double leastDeviation = 0.001;  // that is told from none
+// A floor that is a hundredth of the smallest error is none; one that is nearly all of the largest leaves nothing to tell a law
+// from.
+const double noFloor = 0.01;
+const double onlyFloor = 0.97;
 
 struct Curve {
     std::string name;
@@ -101,6 +105,22 @@ std::vector<Curve> timeCurves(const Summary& summary, const std::vector<const Po
     return curves;
 }
 
+// The values that were measured, but for those whose text would touch the one before.
+std::vector<double> measuredTicks(const Axis& axis, std::vector<double> values)
+{
+    std::sort(values.begin(), values.end());
+    std::vector<double> ticks;
+    double end = -width;
+    for (double v : values) {
+        const double half = 4.0 * double(letters(axis.tickText(v)));
+        const double centre = axis.place(v) * (width - Plot::left - right);
+        if (centre - half < end + 4.0) continue;
+        ticks.push_back(v);
+        end = centre + half;
+    }
+    return ticks;
+}
+
 // Both axes, and where errors of 0 go.
 struct Axes {
     Axis x;
@@ -124,10 +144,7 @@ Axes axesFor(const std::vector<Curve>& curves, const std::string& name)
     if (zero) ys.push_back(floor);
     Axes axes{logAxis(xs, 7), logAxis(ys, 8), floor};
     axes.x.title = name;
-    axes.x.ticks = xs;  // what was measured, if it fits
-    std::sort(axes.x.ticks.begin(), axes.x.ticks.end());
-    axes.x.ticks.erase(std::unique(axes.x.ticks.begin(), axes.x.ticks.end()), axes.x.ticks.end());
-    if (axes.x.ticks.size() > 7) axes.x.ticks = logAxis(xs, 7).ticks;
+    axes.x.ticks = measuredTicks(axes.x, xs);
     return axes;
 }
 
@@ -207,22 +224,15 @@ std::string cell(const std::string& text)
     return "<td>" + text + "</td>";
 }
 
-// A floor that is a hundredth of the smallest error is none.
-std::string floorText(const Curve& curve)
-{
-    double least = curve.known[0].y;
-    for (const Plot::Place& p : curve.known) least = std::min(least, p.y);
-    return curve.fit.b < 0.01 * least ? "none seen" : percent(curve.fit.b);
-}
-
 std::string fitRow(const Curve& c)
 {
     std::string row = "<tr><th scope=\"row\"><span class=\"key " + c.style + "\"></span>" + escaped(c.name) + "</th>";
     if (!c.fit.valid()) return row + "<td colspan=\"5\">too few errors that the reference can tell</td></tr>\n";
-    const bool law = c.fit.a > 0.0;
+    const auto [least, most] = std::minmax_element(c.known.begin(), c.known.end(), [](auto& a, auto& b) { return a.y < b.y; });
+    const bool law = c.fit.b < onlyFloor * most->y;
     row += cell(law ? percent(c.fit.a) + " · N<sup>" + roundedNumber(-c.fit.p, 2) + "</sup>" : "–");
     row += cell(law ? roundedNumber(-c.fit.p, 2) : "0");
-    row += cell(c.fit.used.size() > 2 ? floorText(c) : "two points can't tell");
+    row += cell(c.fit.used.size() == 2 ? "two points can't tell" : c.fit.b < noFloor * least->y ? "none seen" : percent(c.fit.b));
     row += cell(c.fit.deviation < leastDeviation ? "< " + percent(leastDeviation) : "± " + percent(std::expm1(c.fit.deviation)));
     row += cell(std::to_string(c.fit.used.size()) + " of " + std::to_string(c.points));
     return row + "</tr>\n";
@@ -233,7 +243,8 @@ std::string fitTable(const std::vector<Curve>& curves, const std::string& name)
     std::string rows;
     for (const Curve& c : curves) rows += fitRow(c);
     return "<div class=\"scroll\"><table class=\"fits\">\n<caption><span>Error = a N<sup>−p</sup> + b, N = " + escaped(name) +
-           "; b is what more of it does not lessen: bias</span></caption>\n<thead><tr><th scope=\"col\">term</th><th scope=\"col\">a "
+           "; b is what more of it does not lessen: bias</span></caption>\n<thead><tr><th scope=\"col\">term</th><th "
+           "scope=\"col\">a "
            "N<sup>−p</sup></th><th scope=\"col\">slope −p</th><th scope=\"col\">floor b</th><th scope=\"col\">deviation</th>"
            "<th scope=\"col\">points</th></tr></thead>\n<tbody>\n" +
            rows + "</tbody>\n</table></div>\n";
@@ -257,9 +268,9 @@ std::string sweepFigures(const Report& report, const Summary& summary)
         const std::vector<const Point*> points = pointsOf(report, name);
         if (points.size() < 2 || points.front()->number == points.back()->number) continue;
         const std::vector<Curve> errors = errorCurves(summary, points);
-        html += "<figure class=\"sweep-figure\">\n<figcaption><h3>" + escaped(name) + "</h3></figcaption>\n<div class=\"pair\">\n" +
-                errorSvg(errors, name) + timeSvg(timeCurves(summary, points), name) + "</div>\n" + fitTable(errors, name) +
-                "</figure>\n";
+        html += "<figure class=\"sweep-figure\">\n<figcaption><h3>" + escaped(name) +
+                "</h3></figcaption>\n<div class=\"pair\">\n" + errorSvg(errors, name) +
+                timeSvg(timeCurves(summary, points), name) + "</div>\n" + fitTable(errors, name) + "</figure>\n";
     }
     return html;
 }

@@ -49,7 +49,7 @@ for (const heading of document.querySelectorAll(".points thead th")) {
 
 // The legend brings out one sweep; a second click brings back the others.
 const pareto = document.getElementById("pareto");
-const legend = [...pareto.querySelectorAll(".legend button")];
+const legend = [...document.querySelectorAll(".legend button")];
 const bringOut = (sweep) => {
     for (const item of pareto.querySelectorAll(".mark, .sweep")) {
         item.classList.toggle("chosen", item.classList.contains(sweep));

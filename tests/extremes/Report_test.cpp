@@ -177,9 +177,9 @@ class ReportPage : public testing::Test
     {
         if (browserCommand().empty()) return;
         const std::map<std::string, Report> reports = {
-            {"normal", sampleReport()}, {"empty", Report()},     {"one", onePoint()},           {"failing", failing()},
-            {"huge", huge()},           {"names", withNames()},  {"interrupted", interrupted()}, {"terms", withoutTerms()},
-            {"crowded", crowded()}};
+            {"normal", sampleReport()},     {"empty", Report()},       {"one", onePoint()},
+            {"failing", failing()},         {"huge", huge()},          {"names", withNames()},
+            {"interrupted", interrupted()}, {"terms", withoutTerms()}, {"crowded", crowded()}};
         const TemporaryFolder folder;
         std::vector<std::string> names;
         for (const auto& [name, report] : reports) {
@@ -220,8 +220,7 @@ TEST_F(ReportPage, NothingIsWrongAnywhere)
 
 TEST_F(ReportPage, TextsOfPlotsDoNotOverlap)
 {
-    for (const auto& [where, found] : findings->pages)
-        EXPECT_EQ(0, found["overlapping"]) << where.first << " " << where.second;
+    for (const auto& [where, found] : findings->pages) EXPECT_EQ(0, found["overlapping"]) << where.first << " " << where.second;
 }
 
 TEST_F(ReportPage, AllPicturesAreShown)
@@ -234,9 +233,10 @@ TEST_F(ReportPage, AllPicturesAreShown)
 
 TEST_F(ReportPage, TheEssentialSentence)
 {
-    EXPECT_EQ("Default settings: 510\u00a0ms a frame, 2.5\u00a0% error (relative RMSE); twice as fast costs 4.9\u00a0%; half the "
-              "error costs 7828\u00a0ms.",
-              page("normal")["heading"]);
+    EXPECT_EQ(
+        "Default settings: 510\u00a0ms a frame, 2.5\u00a0% error (relative RMSE); twice as fast costs 4.9\u00a0%; half the "
+        "error costs 7828\u00a0ms.",
+        page("normal")["heading"]);
     EXPECT_EQ("Nothing could be measured.", page("empty")["heading"]);
     EXPECT_NE(std::string::npos, page("one")["heading"].get<std::string>().find("nothing measured is twice as fast"));
     EXPECT_EQ("", page("normal")["warning"]);
@@ -248,7 +248,7 @@ TEST_F(ReportPage, EveryMeasuredPointIsAMarkAndARow)
     EXPECT_EQ(39, page("normal")["marks"]);
     EXPECT_EQ(39, page("normal")["rows"]);
     EXPECT_EQ(2, page("normal")["rings"]);
-    EXPECT_EQ(5, page("normal")["sweeps"]);
+    EXPECT_EQ(6, page("normal")["sweeps"]);
     EXPECT_EQ(0, page("empty")["marks"]);
     EXPECT_EQ(1, page("one")["marks"]);
     EXPECT_EQ(60, page("crowded")["marks"]);

@@ -10,8 +10,9 @@ using osgEnvLight::Picture;
 namespace
 {
 
-const Texts defaults = {{"diffuseLights", "128"},  {"specularSamples", "32"},   {"occlusionLights", "512"}, {"occlusionSteps", "16"},
-                        {"filterCells", "2"},      {"occlusionRadius", "0.25"}, {"combine", "ratio"}};
+const Texts defaults = {{"diffuseLights", "128"}, {"specularSamples", "32"}, {"occlusionLights", "512"},
+                        {"occlusionSteps", "16"}, {"filterCells", "2"},      {"occlusionRadius", "0.25"},
+                        {"combine", "ratio"}};
 
 std::string settingIn(const Texts& settings, const std::string& name)
 {
@@ -153,15 +154,22 @@ Report sampleReport()
     r.errorStatement = "Error: root of the mean squared error over the mean square of the reference.";
     r.exposure = 0.5;
     r.notes = {"The reference has no transparency.", "Emission is left out of both."};
-    r.points = {samplePoint("preset", "draft",
-                            {{"diffuseLights", "32"}, {"specularSamples", "16"}, {"occlusionLights", "128"},
-                             {"occlusionSteps", "8"}, {"filterCells", "1"}}),
-                samplePoint("preset", "fast", {{"diffuseLights", "64"}, {"occlusionLights", "256"}, {"occlusionSteps", "12"}}),
-                samplePoint("preset", "default", {}),
-                samplePoint("preset", "fine", {{"occlusionLights", "1024"}, {"occlusionSteps", "32"}, {"occlusionRadius", "0.3"}}),
-                samplePoint("preset", "extreme",
-                            {{"diffuseLights", "512"}, {"specularSamples", "128"}, {"occlusionLights", "4096"},
-                             {"occlusionSteps", "64"}, {"occlusionRadius", "0.3"}})};
+    r.points = {
+        samplePoint("preset", "draft",
+                    {{"diffuseLights", "32"},
+                     {"specularSamples", "16"},
+                     {"occlusionLights", "128"},
+                     {"occlusionSteps", "8"},
+                     {"filterCells", "1"}}),
+        samplePoint("preset", "fast", {{"diffuseLights", "64"}, {"occlusionLights", "256"}, {"occlusionSteps", "12"}}),
+        samplePoint("preset", "default", {}),
+        samplePoint("preset", "fine", {{"occlusionLights", "1024"}, {"occlusionSteps", "32"}, {"occlusionRadius", "0.3"}}),
+        samplePoint("preset", "extreme",
+                    {{"diffuseLights", "512"},
+                     {"specularSamples", "128"},
+                     {"occlusionLights", "4096"},
+                     {"occlusionSteps", "64"},
+                     {"occlusionRadius", "0.3"}})};
     addSweep(r, "diffuseLights", {"32", "64", "128", "256", "512"});
     addSweep(r, "specularSamples", {"4", "8", "16", "32", "64", "128"});
     addSweep(r, "occlusionLights", {"64", "128", "256", "512", "1024", "2048", "4096"});

@@ -39,7 +39,7 @@ double squares(const std::vector<double>& counts, const std::vector<double>& err
 TEST(Fit, FindsTheLaw)
 {
     for (double p : {0.3, 0.5, 1.0, 1.7, 3.0})
-        for (double share : {0.0, 0.02, 0.3, 0.9})      // of the floor at the first count
+        for (double share : {0.0, 0.02, 0.3, 0.9})  // of the floor at the first count
             for (size_t count : {size_t(3), size_t(4), size_t(8)}) {
                 SCOPED_TRACE(std::to_string(p) + " " + std::to_string(share) + " " + std::to_string(count));
                 const std::vector<double> counts = firstOf(powersOfTwo, count);

@@ -38,9 +38,19 @@ TEST(Plot, TicksAreOneTwoFive)
 
 TEST(Plot, AxesHoldTheirValuesAndAFewTicks)
 {
-    const std::vector<std::vector<double>> cases = {{},          {0.0},        {notANumber, inf, -1.0}, {475.0},     {475.0, 475.0},
-                                                    {470, 480},  {1, 1e12},    {1e-300, 1e300},  {0.0, 3e-5}, {5e-324, 1.7e308},
-                                                    {99.9, 100}, {1e-9, 2e-9}, {0.02, 0.9}};
+    const std::vector<std::vector<double>> cases = {{},
+                                                    {0.0},
+                                                    {notANumber, inf, -1.0},
+                                                    {475.0},
+                                                    {475.0, 475.0},
+                                                    {470, 480},
+                                                    {1, 1e12},
+                                                    {1e-300, 1e300},
+                                                    {0.0, 3e-5},
+                                                    {5e-324, 1.7e308},
+                                                    {99.9, 100},
+                                                    {1e-9, 2e-9},
+                                                    {0.02, 0.9}};
     for (const auto& values : cases)
         for (size_t most : {size_t(4), size_t(7), size_t(14)}) {
             SCOPED_TRACE(values.empty() ? std::string("none") : exactNumber(values.back()));
