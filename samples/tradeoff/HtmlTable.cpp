@@ -28,10 +28,9 @@ std::string number(double value, int digits = 2)
     return cell(roundedNumber(value, digits), value);
 }
 
-std::string errorCell(const Figures* figures, const std::string& style = "")
+std::string errorCell(const Figures* figures)
 {
-    return figures && std::isfinite(figures->error()) ? cell(errorText(*figures), figures->error(), style)
-                                                      : cell("–", unknown, style);
+    return figures && std::isfinite(figures->error()) ? cell(errorText(*figures), figures->error()) : cell("–", unknown);
 }
 
 std::string range(const Spread& s)
