@@ -35,3 +35,10 @@ function(envlight_add_program name)
     target_link_libraries(${name} PRIVATE osgEnvLight)
     install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endfunction()
+
+# A program that needs Embree where there is none: it says so.
+function(envlight_add_program_without_embree name)
+    add_executable(${name} ${PROJECT_SOURCE_DIR}/samples/support/without_embree.cpp)
+    target_compile_definitions(${name} PRIVATE "ENVLIGHT_PROGRAM=\"${name}\"")
+    install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endfunction()

@@ -52,6 +52,28 @@ std::vector<Sample> samplesOf(const Picture& picture, const Picture& reference, 
     return samples;
 }
 
+double toned(double v, double mean)
+{
+    return v == 0.0 ? 0.0 : v / (std::abs(v) + mean);
+}
+
+void measureToned(const std::vector<Sample>& samples, ErrorFigures& figures)
+{
+    const double mean = figures.meanLuminance;
+    double square = 0.0, noise = 0.0;
+    for (const Sample& s : samples)
+        for (int k = 0; k < 3; ++k) {
+            const double r = s.reference[k];
+            const double d = toned(s.value[k], mean) - toned(r, mean);
+            const double slope = ratio(mean, (std::abs(r) + mean) * (std::abs(r) + mean));
+            square += d * d - slope * slope * s.variance[k];
+            noise += slope * slope * s.variance[k];
+        }
+    const double n = 3.0 * double(samples.size());
+    figures.tRmse = std::sqrt(std::max(square / n, 0.0));
+    figures.tNoise = std::sqrt(noise / n);
+}
+
 void measureSquares(const std::vector<Sample>& samples, ErrorFigures& figures)
 {
     const double eps = 0.01 * figures.meanLuminance;
@@ -107,6 +129,7 @@ ErrorFigures measure(const Picture& picture, const Picture& reference, const Pic
     figures.meanLuminance = luminance(truth) / n;
     figures.bias = ratio(sum(value), sum(truth));
     measureSquares(samples, figures);
+    measureToned(samples, figures);
     measureTail(samples, figures);
     return figures;
 }

@@ -231,6 +231,7 @@ class ReferenceRun
         m[Layer::ALBEDO] = surface.albedo();
         m[Layer::NORMAL] = surface.normal();
         const glm::dvec3 world = seen.hit.position + _reference._scene.scene().origin;
+        m[Layer::BLENDED] = glm::dvec3(seen.hit.mesh->material.blended ? 1.0 : 0.0);
         m[Layer::DEPTH] = glm::dvec3(_reference._camera.project(world).z);
     }
 

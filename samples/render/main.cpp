@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 // envlight-render: a scene lit by its environment, to an image, without an X server.
-#include "HeadlessContext.h"
+#include "HeadlessViewer.h"
 #include "ImageFile.h"
 #include "PluginPath.h"
-#include "SceneOptions.h"
 #include "Statistics.h"
 
 #include <osgDB/FileNameUtils>
-#include <osgViewer/Viewer>
 
 #include <chrono>
 #include <cmath>
@@ -24,33 +22,11 @@ struct Arguments {
     std::string statistics;
 };
 
-osg::ref_ptr<osg::Image> render(const Arguments& a, osgEnvLight::LitScene& lit, Statistics& statistics)
+osg::ref_ptr<osg::Image> render(const Arguments& a, osgEnvLight::LitScene& lit, HeadlessViewer& viewer, Statistics& statistics)
 {
-    osgViewer::Viewer viewer;
-    viewer.setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
-    osg::ref_ptr<osgViewer::GraphicsWindowEmbedded> window =
-        viewer.setUpViewerAsEmbeddedInWindow(0, 0, a.scene.width, a.scene.height);
-    viewer.setSceneData(&lit);
-    osg::Camera& camera = *viewer.getCamera();
-    a.scene.setCamera(lit, camera);
-    camera.setClearColor(osg::Vec4(0, 0, 0, 0));
-    camera.setRenderTargetImplementation(osg::Camera::FRAME_BUFFER_OBJECT);
-    osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->allocateImage(a.scene.width, a.scene.height, 1, GL_RGBA, GL_FLOAT);
-    image->setInternalTextureFormat(GL_RGBA32F_ARB);
-    camera.attach(osg::Camera::COLOR_BUFFER, image.get());
-    window->getState()->setCheckForGLErrors(osg::State::ONCE_PER_FRAME);
     lit.setTimed(!a.statistics.empty());
-    viewer.realize();
-    for (int i = 0; i < a.frames; ++i) {
-        const auto start = std::chrono::steady_clock::now();
-        viewer.frame(i / 30.0);  // the scene's own time, not the clock's
-        glFinish();
-        const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-        (i == 0 ? statistics.firstFrame : statistics.lastFrame) = ms;
-    }
-    lit.releaseGLObjects(window->getState());
-    return image;
+    for (int i = 0; i < a.frames; ++i) (i == 0 ? statistics.firstFrame : statistics.lastFrame) = viewer.draw(i / 30.0);
+    return viewer.image();
 }
 
 osg::ref_ptr<osg::Image> to8Bit(const osg::Image& image)
@@ -92,11 +68,11 @@ int run(Arguments& a)
         throw BadArguments("-o is '" + a.output + "', expected a name ending in .exr or .png");
     if (!a.term.empty()) a.scene.settings.push_back("view=" + a.term);
     osg::ref_ptr<osgEnvLight::LitScene> lit = a.scene.load(extension == "exr");
-    const HeadlessContext context;
+    HeadlessViewer viewer(*lit, a.scene);
     Statistics statistics{a.scene.scene, a.scene.width, a.scene.height, a.frames};
-    writeImage(*render(a, *lit, statistics), a.output);
+    writeImage(*render(a, *lit, viewer, statistics), a.output);
     std::string error;
-    if (!a.statistics.empty() && !statistics.write(a.statistics, *lit, context, error)) throw std::runtime_error(error);
+    if (!a.statistics.empty() && !statistics.write(a.statistics, *lit, viewer.context(), error)) throw std::runtime_error(error);
     return 0;
 }
 

@@ -30,7 +30,8 @@ std::string lineOf(const Row& row)
 
 void addFigureNames(Row& row, const std::string& prefix)
 {
-    for (const char* name : {"relMSE", "rmse", "bias", "p99", "ssim", "flip", "noise", "resolved"}) row.push_back(prefix + name);
+    for (const char* name : {"tRMSE", "relMSE", "rmse", "bias", "p99", "ssim", "flip", "noise", "resolved"})
+        row.push_back(prefix + name);
 }
 
 void addFigures(Row& row, const Figures* figures)
@@ -40,7 +41,7 @@ void addFigures(Row& row, const Figures* figures)
         return;
     }
     const Figures& f = *figures;
-    for (double value : {f.relMSE, f.rmse, f.bias, f.p99, f.ssim, f.flip, f.noise}) row.push_back(exactNumber(value));
+    for (double value : {f.tRMSE, f.relMSE, f.rmse, f.bias, f.p99, f.ssim, f.flip, f.noise}) row.push_back(exactNumber(value));
     row.push_back(f.resolved ? "1" : "0");
 }
 

@@ -51,7 +51,7 @@ std::string header(const Summary& summary)
     std::string html = heading("settings", "What differs from the defaults; sorted by the order of measuring") +
                        heading("frame, ms", "Median of the frame's time, until the GPU is done") +
                        heading("10–90 %", "Percentiles of the frame's time [ms]") +
-                       heading("error", "Root of the relative squared error");
+                       heading("error", "RMSE of v / (v + mean of the reference)");
     for (const std::string& term : summary.terms) html += heading(term, "The same of the term " + term + " alone");
     html += heading("bias", "Mean of ours - reference [radiance]") + heading("RMSE", "[radiance]") +
             heading("p99", "99th percentile of the absolute error [radiance]") +

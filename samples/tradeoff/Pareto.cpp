@@ -55,7 +55,7 @@ std::vector<Place> placesOf(const std::vector<Point>& points, const std::vector<
 
 double Figures::error() const
 {
-    return resolved ? std::sqrt(relMSE) : noise;
+    return resolved ? tRMSE : noise;
 }
 
 bool Point::measured() const

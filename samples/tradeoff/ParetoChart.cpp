@@ -87,7 +87,7 @@ class ParetoChart
         Axis x = logAxis(times, _wide ? 14 : 6);
         Axis y = logAxis(errors, _wide ? 12 : 9);
         x.title = "frame [ms]";
-        y.title = "error (relative RMSE)";
+        y.title = "error (tone-mapped RMSE)";
         y.unit = "%";
         return Plot(x, y, _wide ? 1000.0 : 380.0, _wide ? 600.0 : 460.0, 12.0);
     }

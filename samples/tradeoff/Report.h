@@ -28,16 +28,17 @@ struct Spread {
 
 /** How far a picture, or one term of it, is from the reference. What was not measured is NaN. */
 struct Figures {
-    double relMSE = unknown;  // squared error relative to the reference: see Report::errorStatement
+    double tRMSE = unknown;   // of v / (|v| + mean of the reference): what error() is
+    double relMSE = unknown;  // squared error relative to the reference's square, with 1 % of its mean added
     double rmse = unknown;    // [radiance], as bias and p99
     double bias = unknown;    // mean of ours - reference
     double p99 = unknown;     // 99th percentile of the absolute error
     double ssim = unknown;    // 1: alike
     double flip = unknown;    // 0: alike
     double noise = 0.0;       // of the reference itself, in units of error()
-    bool resolved = true;     // false: relMSE is less than the reference can tell
+    bool resolved = true;     // false: less than the reference can tell
 
-    /** The root of relMSE; of an unresolved one its bound, the noise. */
+    /** tRMSE; of an unresolved one its bound, the noise. */
     double error() const;
 };
 

@@ -22,7 +22,7 @@ void addOnce(std::vector<std::string>& list, const std::string& name)
 
 std::string cost(const Point& p)
 {
-    return milliseconds(p.frame.median) + " a frame, " + errorText(p.beauty) + " error (relative RMSE)";
+    return milliseconds(p.frame.median) + " a frame, " + errorText(p.beauty) + " error (tone-mapped RMSE)";
 }
 
 // What half the time and half the error of the defaults are to be had for.

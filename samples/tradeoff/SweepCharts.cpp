@@ -198,7 +198,7 @@ std::string errorSvg(const std::vector<Curve>& curves, const std::string& name)
 {
     Axes axes = axesFor(curves, name);
     axes.y.unit = "%";
-    axes.y.title = "error (relative RMSE)";
+    axes.y.title = "error (tone-mapped RMSE)";
     Plot plot(axes.x, axes.y, width, height, right);
     for (const Curve& c : curves)
         if (c.fit.valid()) drawFit(plot, c);

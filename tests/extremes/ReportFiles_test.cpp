@@ -93,7 +93,7 @@ TEST_F(ReportFiles, CsvHasARowForEachPoint)
     EXPECT_EQ("", at(rows[4], "flip"));
     for (size_t i = 0; i < r.points.size(); ++i) {
         EXPECT_EQ(r.points[i].frame.median, std::stod(at(rows[i + 1], "ms")));
-        EXPECT_EQ(r.points[i].beauty.relMSE, std::stod(at(rows[i + 1], "relMSE")));
+        EXPECT_EQ(r.points[i].beauty.tRMSE, std::stod(at(rows[i + 1], "tRMSE")));
         EXPECT_EQ(r.points[i].terms.at("specular").bias, std::stod(at(rows[i + 1], "specular bias")));
         EXPECT_EQ(r.points[i].passes[3].second.median, std::stod(at(rows[i + 1], "occlusion ms")));
     }
@@ -109,7 +109,7 @@ TEST_F(ReportFiles, JsonHasEverything)
     const json j = json::parse(readFile(folder.file("new/folder/tradeoff.json")));
     EXPECT_EQ("ü \"<\\\uFFFD", j["scene"]);
     ASSERT_EQ(r.points.size(), j["points"].size());
-    EXPECT_EQ(r.points[0].beauty.relMSE, j["points"][0]["beauty"]["relMSE"]);
+    EXPECT_EQ(r.points[0].beauty.tRMSE, j["points"][0]["beauty"]["tRMSE"]);
     EXPECT_EQ(r.points[0].frame.high, j["points"][0]["milliseconds"]["high"]);
     EXPECT_EQ("128", j["points"][0]["settings"]["occlusionLights"]);
     EXPECT_TRUE(j["points"][3]["beauty"]["flip"].is_null());

@@ -96,8 +96,8 @@ Report huge()
         Point p = samplePoint("occlusionLights", std::to_string(i), {{"occlusionLights", "1" + std::string(8 * i, '0')}});
         p.number = std::pow(10.0, 30.0 * double(i));
         p.frame.median = times[i];
-        for (auto& term : p.terms) term.second.relMSE = errors[i] * errors[i];
-        p.beauty.relMSE = errors[i] * errors[i];
+        for (auto& term : p.terms) term.second.tRMSE = errors[i];
+        p.beauty.tRMSE = errors[i];
         p.beauty.bias = -1e300;
         p.beauty.resolved = i != 1;
         r.points.push_back(p);
@@ -163,7 +163,7 @@ Report crowded()
         Point p = samplePoint("setting " + std::to_string(i % 12), std::to_string(i), {{"setting", std::to_string(i)}});
         p.number = i;
         p.frame.median = 100.0 + i;
-        p.beauty.relMSE = 1e-4 * (1.0 - 0.005 * i);
+        p.beauty.tRMSE = 1e-2 * (1.0 - 0.0025 * i);
         r.points.push_back(p);
     }
     return r;
@@ -234,7 +234,7 @@ TEST_F(ReportPage, AllPicturesAreShown)
 TEST_F(ReportPage, TheEssentialSentence)
 {
     EXPECT_EQ(
-        "Default settings: 510\u00a0ms a frame, 2.5\u00a0% error (relative RMSE); twice as fast costs 4.9\u00a0%; half the "
+        "Default settings: 510\u00a0ms a frame, 2.5\u00a0% error (tone-mapped RMSE); twice as fast costs 4.9\u00a0%; half the "
         "error costs 7828\u00a0ms.",
         page("normal")["heading"]);
     EXPECT_EQ("Nothing could be measured.", page("empty")["heading"]);

@@ -30,6 +30,7 @@ Spread spreadAbout(double milliseconds)
 Figures figuresOf(double error)
 {
     Figures f;
+    f.tRMSE = error;
     f.relMSE = error * error;
     f.rmse = 0.31 * error;
     f.bias = -0.04 * error;

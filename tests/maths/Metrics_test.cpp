@@ -86,7 +86,7 @@ TEST(Metrics, IdenticalPicturesHaveNoError)
     const Picture p = steps(31, 17);
     const ErrorFigures f = compareAll(p, p);
     EXPECT_EQ(f.pixels, 31u * 17u);
-    for (double v : {f.rmse, f.relMse, f.bias, f.p99, f.p999, f.worst, f.noise}) EXPECT_EQ(v, 0.0);
+    for (double v : {f.rmse, f.relMse, f.tRmse, f.bias, f.p99, f.p999, f.worst, f.noise}) EXPECT_EQ(v, 0.0);
     EXPECT_EQ(f.worstX, -1);
     EXPECT_FALSE(f.resolved);
 }
@@ -115,6 +115,8 @@ TEST(Metrics, Scaled)
     const ErrorFigures constant = compareAll(makePicture(5, 4, 1.0), makePicture(5, 4, 0.5));
     EXPECT_NEAR(constant.relMse, 1.0 / 1.0001, 1e-15);
     EXPECT_NEAR(constant.relRmse(), std::sqrt(1.0 / 1.0001), 1e-15);
+    // Of the mean 1/2: 1 / (1 + 1/2) - (1/2) / (1/2 + 1/2)
+    EXPECT_NEAR(constant.tRmse, 1.0 / 6.0, 1e-15);
 }
 
 TEST(Metrics, NoiseOfKnownSigma)
@@ -133,6 +135,9 @@ TEST(Metrics, NoiseOfKnownSigma)
     const ErrorFigures f = compare(truth, reference, standardError, Mask::everything(truth));
     EXPECT_LE(f.rmse * f.rmse, 4.0 * deviation);
     EXPECT_NEAR(f.noise, sigma, 1e-8);  // sigma as float
+    // To first order in sigma: the slope of the tone curve is at most 2, at 0, where its bend takes some of the noise back.
+    EXPECT_LT(f.tRmse, 0.2 * raw.tRmse);
+    EXPECT_NEAR(f.tNoise, raw.tRmse, 0.02 * raw.tRmse);
     EXPECT_FALSE(f.resolved);
 }
 

@@ -15,7 +15,7 @@ Point point(double milliseconds, double error)
     Point p;
     p.settings = {{"samples", "1"}};
     p.frame.median = milliseconds;
-    p.beauty.relMSE = error * error;
+    p.beauty.tRMSE = error;
     return p;
 }
 

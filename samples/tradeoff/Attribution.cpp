@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "Attribution.h"
+
+#include <metrics/Display>
+#include <metrics/FalseColor>
+#include <metrics/Metrics>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace tradeoff
+{
+
+namespace
+{
+
+using osgEnvLight::Layer;
+using osgEnvLight::Picture;
+
+// A part that the error may be made of.
+struct Part {
+    std::string name;
+    Picture picture;
+};
+
+Picture scaled(const Picture& p, float factor)
+{
+    Picture result = p;
+    for (float& v : result.rgba) v *= factor;
+    return result;
+}
+
+Picture difference(const Picture& a, const Picture& b)
+{
+    Picture result = a;
+    for (size_t i = 0; i < result.rgba.size(); ++i) result.rgba[i] -= b.rgba[i];
+    return result;
+}
+
+double squared(const Picture& p, const osgEnvLight::Mask& mask)
+{
+    double sum = 0.0;
+    for (int y = 0; y < p.height; ++y)
+        for (int x = 0; x < p.width; ++x)
+            if (mask.at(x, y)) sum += p.color(x, y).length2();
+    return sum;
+}
+
+std::string rounded(double percent)
+{
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << std::lround(percent) << "\u00a0%";
+    return text.str();
+}
+
+// Greedy: the part whose removal lessens the squared error most, again and again.
+std::vector<std::pair<std::string, double>> sharesOf(Picture error, std::vector<Part> parts, const osgEnvLight::Mask& mask)
+{
+    std::vector<std::pair<std::string, double>> shares;
+    const double total = squared(error, mask);
+    double rest = total;
+    while (!parts.empty() && total > 0.0) {
+        size_t best = 0;
+        double least = rest;
+        for (size_t i = 0; i < parts.size(); ++i) {
+            const double without = squared(difference(error, parts[i].picture), mask);
+            if (without < least) {
+                least = without;
+                best = i;
+            }
+        }
+        if (rest - least < 0.01 * total) break;
+        shares.emplace_back(parts[best].name, (rest - least) / total);
+        error = difference(error, parts[best].picture);
+        rest = least;
+        parts.erase(parts.begin() + ptrdiff_t(best));
+    }
+    return shares;
+}
+
+// Where the error sits: its share in the hundredth of the pixels where it is largest.
+double shareOfWorst(const Picture& error, const osgEnvLight::Mask& mask)
+{
+    std::vector<double> squares;
+    double total = 0.0;
+    for (int y = 0; y < error.height; ++y)
+        for (int x = 0; x < error.width; ++x)
+            if (mask.at(x, y)) {
+                squares.push_back(error.color(x, y).length2());
+                total += squares.back();
+            }
+    const size_t n = std::max<size_t>(squares.size() / 100, 1);
+    if (squares.empty() || total <= 0.0) return 0.0;
+    std::nth_element(squares.begin(), squares.begin() + ptrdiff_t(n - 1), squares.end(), std::greater<>());
+    double worst = 0.0;
+    for (size_t i = 0; i < n; ++i) worst += squares[i];
+    return worst / total;
+}
+
+std::string sentenceOf(const TermPictures& t, const Picture& error, const Truth& truth, Layer layer)
+{
+    const Figures f = figuresOf(t.ours, truth, layer);
+    if (!f.resolved) return "The difference is no larger than what the reference itself is uncertain by.";
+    std::string text;
+    if (t.shares.empty())
+        text = "No single cause accounts for as much as 1\u00a0% of the squared error.";
+    else
+        text = rounded(100.0 * t.shares[0].second) + " of the squared error is " + t.shares[0].first + ".";
+    const osgEnvLight::Mask& mask = truth.maskOf(layer);
+    const double total = squared(error, mask);
+    const double noise = total > 0.0 ? std::min(1.0, squared(truth.standardErrors.at(layer), mask) / total) : 0.0;
+    if (noise > 0.05) text += " " + rounded(100.0 * noise) + " of it is the reference's own noise.";
+    const double worst = shareOfWorst(error, mask);
+    if (worst > 0.3) text += " " + rounded(100.0 * worst) + " of it sits in 1\u00a0% of the pixels.";
+    return text;
+}
+
+TermPictures entry(const std::string& term, const Picture& ours, Layer layer, const std::vector<Part>& parts, const Truth& truth)
+{
+    TermPictures t;
+    t.term = term;
+    t.ours = ours;
+    t.reference = truth[layer];
+    const Picture error = difference(ours, truth[layer]);
+    std::vector<double> magnitudes;
+    for (int y = 0; y < error.height; ++y)
+        for (int x = 0; x < error.width; ++x)
+            if (truth.maskOf(layer).at(x, y)) magnitudes.push_back(std::abs(osgEnvLight::luminance(error.color(x, y))));
+    const double scale = std::max(osgEnvLight::percentile(magnitudes, 980), 1e-12);
+    t.difference = osgEnvLight::signedDifference(ours, truth[layer], scale);
+    std::ostringstream legend;
+    legend.imbue(std::locale::classic());
+    legend.precision(2);
+    legend << "red: too bright, blue: too dark; full colour from a radiance of " << scale << ", which 2 % of the pixels exceed";
+    t.differenceLegend = legend.str();
+    t.shares = sharesOf(error, parts, truth.maskOf(layer));
+    t.sentence = sentenceOf(t, error, truth, layer);
+    return t;
+}
+
+// What ours has and the truth has not, or less of.
+std::vector<Part> occlusionParts(const Truth& truth, float sign, const Picture& error)
+{
+    std::vector<Part> parts = {
+        {"occlusion by objects outside the view", scaled(truth[Layer::OCCLUSION_OUTSIDE], sign)},
+        {"occlusion by surfaces that others hide from the camera", scaled(truth[Layer::OCCLUSION_HIDDEN], sign)},
+        {"occlusion beyond the reach of the rays (occlusionRadius)", scaled(truth[Layer::OCCLUSION_FAR], sign)}};
+    Picture rest = error;
+    for (const Part& p : parts) rest = difference(rest, p.picture);
+    parts.push_back({"occlusion by what the view shows: steps, thickness, lights and filter", rest});
+    return parts;
+}
+
+}  // namespace
+
+std::vector<TermPictures> attribute(const Terms& ours, const Truth& truth)
+{
+    std::vector<TermPictures> result;
+    const Picture occlusion = difference(ours.occlusion, truth[Layer::OCCLUSION]);
+    const Picture specular = difference(ours.specular, truth[Layer::SPECULAR]);
+    const Picture diffuse = difference(ours.diffuse, truth[Layer::DIFFUSE]);
+    // Too little occlusion is too much light: the occlusion's error counts against beauty's.
+    std::vector<Part> parts = occlusionParts(truth, 1.0f, scaled(occlusion, -1.0f));
+    parts.push_back({"reflections that nothing occludes", difference(truth[Layer::SPECULAR], truth[Layer::SPECULAR_VISIBLE])});
+    parts.push_back({"noise and blur of the reflections (specularSamples)", specular});
+    parts.push_back({"the diffuse term before occlusion (the lights or harmonics that stand for the map)", diffuse});
+    if (truth.full) parts.push_back({"light from other surfaces", scaled(truth[Layer::INDIRECT], -1.0f)});
+    result.push_back(entry("beauty", ours.beauty, Layer::BEAUTY, parts, truth));
+    result.push_back(entry("diffuse", ours.diffuse, Layer::DIFFUSE, {}, truth));
+    result.push_back(entry("specular", ours.specular, Layer::SPECULAR, {}, truth));
+    result.push_back(entry("occlusion", ours.occlusion, Layer::OCCLUSION, occlusionParts(truth, -1.0f, occlusion), truth));
+    return result;
+}
+
+}  // namespace tradeoff

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "Sweeps.h"
+
+#include <algorithm>
+#include <charconv>
+#include <stdexcept>
+
+namespace tradeoff
+{
+
+namespace
+{
+
+using osgEnvLight::Settings;
+
+struct Sweep {
+    const char* name;
+    std::vector<const char*> values;
+    Texts with;     // what the knob needs to have an effect
+    bool specular;  // only where S runs
+    bool alsoQuick;
+};
+
+const std::vector<Sweep>& defaultSweeps()
+{
+    static const std::vector<Sweep> sweeps = {
+        {"occlusionLights", {"64", "128", "256", "512", "1024", "2048"}, {}, false, true},
+        {"occlusionSteps", {"2", "4", "8", "16", "32", "64"}, {}, false, true},
+        {"occlusionRadius", {"0.0625", "0.125", "0.25", "0.5", "1"}, {}, false, true},
+        {"occlusionThickness", {"0.05", "0.1", "0.2", "0.5", "1000"}, {}, false, false},
+        {"filterCells", {"1", "2", "3", "4"}, {}, false, false},
+        {"combine", {"ratio", "subtract"}, {}, false, false},
+        {"diffuseCarrier", {"auto", "sh", "lights"}, {}, false, false},
+        {"diffuseLights", {"16", "32", "64", "128", "256", "512"}, {{"diffuseCarrier", "lights"}}, false, false},
+        {"lightSampler",
+         {"auto", "split", "median-cut", "structured", "penrose", "inverse-cdf"},
+         {{"diffuseCarrier", "lights"}},
+         false,
+         false},
+        {"suns", {"off", "glossy", "auto"}, {}, false, false},
+        {"specularSamples", {"4", "8", "16", "32", "64", "128"}, {}, true, true},
+    };
+    return sweeps;
+}
+
+const std::vector<std::pair<const char*, Texts>>& presets()
+{
+    static const std::vector<std::pair<const char*, Texts>> all = {
+        {"default", {}},
+        {"no occlusion", {{"occlusion", "off"}}},
+        {"fast", {{"occlusionLights", "128"}, {"occlusionSteps", "8"}, {"specularSamples", "8"}, {"diffuseLights", "32"}}},
+        {"fine", {{"occlusionLights", "1024"}, {"occlusionSteps", "32"}, {"specularSamples", "64"}, {"diffuseLights", "256"}}},
+        {"finest", {{"occlusionLights", "2048"}, {"occlusionSteps", "64"}, {"specularSamples", "256"}, {"diffuseLights", "512"}}},
+    };
+    return all;
+}
+
+double numberOf(const std::string& text)
+{
+    double number = 0.0;
+    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return status == std::errc() && end == text.data() + text.size() ? number : unknown;
+}
+
+void addSweep(const std::string& name, const std::vector<std::string>& values, const Texts& with, std::vector<Candidate>& result)
+{
+    const osg::ref_ptr<Settings> trial = new Settings;
+    for (const std::string& value : values) {
+        Candidate c{name, value, numberOf(value), with};
+        c.settings.emplace_back(name, value);
+        std::string error;
+        if (!trial->set(name, value, error)) throw std::invalid_argument("--sweep: " + error);
+        result.push_back(c);
+    }
+}
+
+}  // namespace
+
+std::pair<std::string, std::vector<std::string>> parseSweep(const std::string& text)
+{
+    const size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0)
+        throw std::invalid_argument("--sweep is '" + text + "', expected name=value,value,...");
+    std::vector<std::string> values;
+    for (size_t from = equals + 1; from <= text.size();) {
+        const size_t comma = std::min(text.find(',', from), text.size());
+        if (comma == from) throw std::invalid_argument("--sweep is '" + text + "', in which a value is missing");
+        values.push_back(text.substr(from, comma - from));
+        from = comma + 1;
+    }
+    if (values.empty()) throw std::invalid_argument("--sweep is '" + text + "', in which a value is missing");
+    return {text.substr(0, equals), values};
+}
+
+std::vector<Candidate> candidates(const std::vector<std::pair<std::string, std::vector<std::string>>>& asked, bool specular,
+                                  bool quick)
+{
+    std::vector<Candidate> result;
+    for (const auto& [name, settings] : presets()) result.push_back({"preset", name, unknown, settings});
+    for (const Sweep& s : defaultSweeps()) {
+        const bool replaced = std::any_of(asked.begin(), asked.end(), [&](const auto& a) { return a.first == s.name; });
+        if (replaced || (quick && !s.alsoQuick) || (s.specular && !specular)) continue;
+        std::vector<std::string> values(s.values.begin(), s.values.end());
+        if (quick)
+            for (size_t i = 1; i < values.size(); ++i) values.erase(values.begin() + ptrdiff_t(i));
+        addSweep(s.name, values, s.with, result);
+    }
+    for (const auto& [name, values] : asked) {
+        Texts with;
+        for (const Sweep& s : defaultSweeps())
+            if (name == s.name) with = s.with;
+        addSweep(name, values, with, result);
+    }
+    return result;
+}
+
+void apply(const Candidate& candidate, const Settings& base, Settings& settings, Texts& changed)
+{
+    std::string error;
+    for (const Settings::Property& p : Settings::table()) p.put(settings, p.get(base));
+    for (const auto& [name, value] : candidate.settings)
+        if (!settings.set(name, value, error)) throw std::invalid_argument(error);
+    changed.clear();
+    for (const Settings::Property& p : Settings::table())
+        if (p.get(settings) != p.get(base)) changed.emplace_back(p.name, p.getString(settings));
+}
+
+}  // namespace tradeoff
