@@ -5,8 +5,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <locale>
-#include <sstream>
 
 namespace osgEnvLight
 {
@@ -14,13 +12,13 @@ namespace osgEnvLight
 namespace
 {
 
-std::string numberText(double value)
+// The shortest text that reads back as the same number.
+template <class T>
+std::string numberText(T value)
 {
-    std::ostringstream out;
-    out.imbue(std::locale::classic());
-    out.precision(9);
-    out << value;
-    return out.str();
+    char text[32];
+    const auto [end, status] = std::to_chars(text, text + sizeof(text), value);
+    return std::string(text, end);
 }
 
 bool isInteger(const Settings::Property& p)
@@ -154,7 +152,7 @@ std::string Settings::Property::getString(const Settings& settings) const
     double value = get(settings);
     if (std::holds_alternative<bool Settings::*>(member)) return value != 0.0 ? "on" : "off";
     if (!choices.empty() && inRange(*this, value)) return choices[size_t(value)];
-    return numberText(value);
+    return std::holds_alternative<float Settings::*>(member) ? numberText(float(value)) : numberText(value);
 }
 
 std::string Settings::Property::range() const

@@ -55,6 +55,12 @@ const std::vector<std::pair<const char*, Texts>>& presets()
     return all;
 }
 
+// Of a default sweep, which this selection may lack.
+bool isKnob(const std::string& name)
+{
+    return std::any_of(defaultSweeps().begin(), defaultSweeps().end(), [&](const Sweep& s) { return name == s.name; });
+}
+
 double numberOf(const std::string& text)
 {
     double number = 0.0;
@@ -92,24 +98,35 @@ std::pair<std::string, std::vector<std::string>> parseSweep(const std::string& t
     return {text.substr(0, equals), values};
 }
 
-std::vector<Candidate> candidates(const std::vector<std::pair<std::string, std::vector<std::string>>>& asked, bool specular,
-                                  bool quick)
+std::vector<Candidate> candidates(const Selection& selection)
 {
-    std::vector<Candidate> result;
-    for (const auto& [name, settings] : presets()) result.push_back({"preset", name, unknown, settings});
+    std::vector<Candidate> all;
+    for (const auto& [name, settings] : presets()) all.push_back({"preset", name, unknown, settings});
     for (const Sweep& s : defaultSweeps()) {
-        const bool replaced = std::any_of(asked.begin(), asked.end(), [&](const auto& a) { return a.first == s.name; });
-        if (replaced || (quick && !s.alsoQuick) || (s.specular && !specular)) continue;
+        const bool replaced =
+            std::any_of(selection.sweeps.begin(), selection.sweeps.end(), [&](const auto& a) { return a.first == s.name; });
+        if (replaced || (selection.quick && !s.alsoQuick) || (s.specular && !selection.specular)) continue;
         std::vector<std::string> values(s.values.begin(), s.values.end());
-        if (quick)
+        if (selection.quick)
             for (size_t i = 1; i < values.size(); ++i) values.erase(values.begin() + ptrdiff_t(i));
-        addSweep(s.name, values, s.with, result);
+        addSweep(s.name, values, s.with, all);
     }
-    for (const auto& [name, values] : asked) {
+    for (const auto& [name, values] : selection.sweeps) {
         Texts with;
         for (const Sweep& s : defaultSweeps())
             if (name == s.name) with = s.with;
-        addSweep(name, values, with, result);
+        addSweep(name, values, with, all);
+    }
+    if (selection.only.empty()) return all;
+    std::vector<Candidate> result = {all[0]};
+    for (const std::string& name : selection.only) {
+        bool found = false;
+        for (const Candidate& c : all) {
+            if (c.sweep != name && (c.sweep != "preset" || c.value != name)) continue;
+            found = true;
+            if (&c != &all[0]) result.push_back(c);
+        }
+        if (!found && !isKnob(name)) throw std::invalid_argument("--only: no preset and no sweep is named '" + name + "'");
     }
     return result;
 }

@@ -20,12 +20,19 @@ struct Candidate {
 /** Name and values of "occlusionLights=64,256,1024". Throws std::invalid_argument with a message for the user. */
 std::pair<std::string, std::vector<std::string>> parseSweep(const std::string& text);
 
-/** The presets, then the default sweeps that can matter in this scene, then those asked for; asked is what parseSweep gave, and
- * replaces the default sweep of its name. Throws std::invalid_argument where a name or value is no setting's.
- * @param specular  whether the plan has the term S
- * @param quick     every other value */
-std::vector<Candidate> candidates(const std::vector<std::pair<std::string, std::vector<std::string>>>& asked, bool specular,
-                                  bool quick);
+/** What is to be measured beside the defaults. */
+struct Selection {
+    std::vector<std::pair<std::string, std::vector<std::string>>>
+        sweeps;                     // as parseSweep gives them; in place of the default ones
+    std::vector<std::string> only;  // names of sweeps and presets; empty: all
+    bool specular = true;           // whether the term S runs: else its knobs are left out
+    bool quick = false;             // every other value of the sweeps that matter most
+};
+
+/** The defaults, the other presets, the default sweeps, then those asked for; with `only`, the defaults and what it names, in its
+ * order. Throws std::invalid_argument with a message for
+ * the user where a name or a value does not exist.*/
+std::vector<Candidate> candidates(const Selection& selection);
 
 /** base with the candidate's settings; changed receives those that differ from base. */
 void apply(const Candidate& candidate, const osgEnvLight::Settings& base, osgEnvLight::Settings& settings, Texts& changed);

@@ -27,6 +27,8 @@ volatile std::sig_atomic_t interrupted = 0;
 struct Arguments {
     SceneOptions scene;
     std::vector<std::string> sweeps;
+    std::vector<std::string> only;
+    double referenceError = 0.0;
     std::string output;
     std::string paths = "direct";
     double targetError = 0.0;
@@ -133,10 +135,12 @@ int run(Arguments& a)
     const Clock::time_point start = Clock::now();
     a.scene.check();
     addPluginPath();
-    std::vector<std::pair<std::string, std::vector<std::string>>> sweeps;
+    Selection selection;
+    selection.only = a.only;
+    selection.quick = a.quick;
     try {
-        for (const std::string& s : a.sweeps) sweeps.push_back(parseSweep(s));
-        candidates(sweeps, true, a.quick);
+        for (const std::string& s : a.sweeps) selection.sweeps.push_back(parseSweep(s));
+        candidates(selection);
     } catch (const std::invalid_argument& error) {
         throw BadArguments(error.what());
     }
@@ -154,7 +158,7 @@ int run(Arguments& a)
     const double referenceShare = 0.4;  // of the time, roughly
     TruthOptions options;
     options.full = a.paths == "full";
-    options.error = a.quick ? 0.01 : 0.003;
+    options.error = a.referenceError > 0.0 ? a.referenceError : a.quick ? 0.01 : 0.003;
     options.seconds = a.quick ? 35.0 : 360.0;
     options.reach = double(lit->getSettings()->occlusionRadius) * reference.radius();
     const Truth truth = makeTruth(reference, options, [&](double fraction, double error) {
@@ -185,7 +189,8 @@ int run(Arguments& a)
     for (std::string& note : report.notes) note = "The reference leaves out: " + note;
     if (a.targetError > 0.0) report.targets.push_back({Target::ERROR, a.targetError});
     if (a.targetMilliseconds > 0.0) report.targets.push_back({Target::MILLISECONDS, a.targetMilliseconds});
-    measureAll(candidates(sweeps, lit->plan().specular, a.quick), measurement, truth, report, bar, referenceShare,
+    selection.specular = lit->plan().specular;
+    measureAll(candidates(selection), measurement, truth, report, bar, referenceShare,
                start + std::chrono::seconds(a.quick ? 105 : 1100));
     std::signal(SIGINT, SIG_DFL);
     bar.finish();
@@ -210,6 +215,12 @@ int main(int argc, char** argv)
     app.add_option("--paths", a.paths,
                    "what the reference has: direct (default) light, or full transport from surface to surface")
         ->check(CLI::IsMember({"direct", "full"}));
+    app.add_option("--only", a.only, "of the presets and sweeps only those of these names: preset,occlusionLights")
+        ->delimiter(',');
+    app.add_option("--reference-error", a.referenceError,
+                   "the reference's standard error, as a share of its mean; default .003, with --quick .01, or what six minutes, "
+                   "with --quick 35 seconds, allow")
+        ->check(CLI::Range(1e-6, 1.0));
     app.add_flag("--quick", a.quick, "fewer settings and frames and a coarser reference: under two minutes");
     app.add_option("--target-error", a.targetError, "print the cheapest settings with at most this error: .02 is 2 %")
         ->check(CLI::Range(1e-6, 10.0));

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// envlight-tradeoff from the outside: what it writes, what it refuses, and what an interruption leaves.
+#include <osgEnvLight/Settings>
+
+#include <osg/Geode>
+#include <osg/ShapeDrawable>
+#include <osgDB/WriteFile>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include <nlohmann/json.hpp>
+
+#include "Browser.h"
+#include "Process.h"
+#include "Sweeps.h"
+
+using nlohmann::json;
+
+namespace
+{
+
+const std::string program = std::string(ENVLIGHT_BINARY_DIR) + "/bin/envlight-tradeoff";
+
+// Small enough for a software renderer: a box on a plate.
+std::string writeScene(const TemporaryFolder& folder)
+{
+    osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+    geode->addDrawable(new osg::ShapeDrawable(new osg::Box(osg::Vec3(0, 0, 0.5f), 1.0f)));
+    geode->addDrawable(new osg::ShapeDrawable(new osg::Box(osg::Vec3(0, 0, -0.05f), 6.0f, 6.0f, 0.1f)));
+    const std::string name = folder.file("box.osgt");
+    EXPECT_TRUE(osgDB::writeNodeFile(*geode, name));
+    return name;
+}
+
+std::vector<std::string> command(const std::string& scene, const std::string& output, const std::vector<std::string>& more = {})
+{
+    std::vector<std::string> words = {program, scene, "--env", "studio", "--size", "48x36", "--quick", "--reference-error",
+                                      ".05"};
+    words.insert(words.end(), {"--eye", "4,-5,3", "--target", "0,0,0.4", "-o", output});
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+json readJson(const std::string& name)
+{
+    return json::parse(readFile(name), nullptr, false);
+}
+
+void expectRefused(const std::vector<std::string>& words, int status, const std::string& message)
+{
+    const Outcome o = runProgram(words);
+    EXPECT_EQ(o.status, status) << o.err;
+    EXPECT_NE(o.err.find(message), std::string::npos) << o.err;
+    EXPECT_EQ(o.err.find("envlight-tradeoff: "), 0u) << o.err;
+}
+
+class TradeoffProgram : public testing::Test
+{
+  protected:
+    void SetUp() override
+    {
+        if (!std::filesystem::exists(program)) GTEST_SKIP() << "not built";
+    }
+};
+
+}  // namespace
+
+TEST_F(TradeoffProgram, MeasuresAndReports)
+{
+    const TemporaryFolder folder;
+    const std::string output = folder.file("re port");
+    const Outcome o = runProgram(command(writeScene(folder), output,
+                                         {"--only", "fast,no occlusion,occlusionSteps", "--sweep", "occlusionSteps=4,16",
+                                          "--target-error", ".5", "--target-ms", ".001"}));
+    ASSERT_EQ(o.status, 0) << o.err;
+    const json j = readJson(output + "/tradeoff.json");
+    ASSERT_FALSE(j.is_discarded());
+    std::vector<std::string> names;
+    for (const json& p : j["points"]) {
+        names.push_back(p["sweep"].get<std::string>() + " " + p["value"].get<std::string>());
+        EXPECT_GT(p["milliseconds"]["median"].get<double>(), 0.0);
+        EXPECT_GE(p["beauty"]["tRMSE"].get<double>(), 0.0);
+        EXPECT_TRUE(p["terms"].contains("occlusion"));
+        EXPECT_FALSE(p["passes"].empty());
+    }
+    EXPECT_EQ(names, (std::vector<std::string>{"preset default", "preset fast", "preset no occlusion", "occlusionSteps 4",
+                                               "occlusionSteps 16"}));
+    // A box on a plate: without its shadow on the plate the picture is farther from the truth.
+    EXPECT_GT(j["points"][2]["beauty"]["tRMSE"], j["points"][0]["beauty"]["tRMSE"]);
+    // The default value was not timed twice.
+    EXPECT_EQ(j["points"][4]["milliseconds"], j["points"][0]["milliseconds"]);
+    EXPECT_NE(o.out.find("Cheapest within an error of 50 %"), std::string::npos) << o.out;
+    EXPECT_NE(o.out.find("none was found"), std::string::npos) << o.out;
+    EXPECT_NE(readFile(output + "/index.html").find("envlight-tradeoff"), std::string::npos);
+    EXPECT_FALSE(readFile(output + "/tradeoff.csv").empty());
+    if (browserCommand().empty()) GTEST_SKIP() << "no Chromium";
+    const Findings found = probePages(folder.file(""), {"re port"}, {1200},
+                                      "return {images: [...document.querySelectorAll('img')].map((i) => i.naturalWidth)};");
+    EXPECT_TRUE(found.console.empty()) << found.console[0];
+    const json& images = found.pages.at({"re port", 1200})["images"];
+    EXPECT_EQ(images.size(), 2u + 4u * 3u);  // the slider's, and of beauty and three terms ours, reference, difference
+    for (const json& width : images) EXPECT_EQ(width, 48);
+}
+
+TEST_F(TradeoffProgram, RefusesWhatItDoesNotKnow)
+{
+    const TemporaryFolder folder;
+    const std::string scene = writeScene(folder);
+    const std::string output = folder.file("report");
+    expectRefused(command(scene, output, {"--sweep", "occlusionLights"}), 2, "expected name=value,value,...");
+    expectRefused(command(scene, output, {"--sweep", "occlusionLights=64,,128"}), 2, "a value is missing");
+    expectRefused(command(scene, output, {"--sweep", "sparkle=1"}), 2, "no setting is named 'sparkle'");
+    expectRefused(command(scene, output, {"--sweep", "occlusionSteps=0"}), 2, "'occlusionSteps' is '0', expected");
+    expectRefused(command(scene, output, {"--only", "sparkle"}), 2, "'sparkle'");
+    expectRefused(command(scene, output, {"--target-ms", "-1"}), 2, "--target-ms");
+    EXPECT_FALSE(std::filesystem::exists(output));
+    expectRefused(command(scene, "/proc/report"), 1, "/proc/report");
+    expectRefused(command(folder.file("missing.obj"), output), 1, "missing.obj");
+}
+
+TEST_F(TradeoffProgram, NothingToMeasure)
+{
+    const TemporaryFolder folder;
+    const std::string empty = folder.file("empty.osgt");
+    ASSERT_TRUE(osgDB::writeNodeFile(*osg::ref_ptr<osg::Group>(new osg::Group), empty));
+    expectRefused(command(empty, folder.file("report")), 1, "no surface");
+    std::vector<std::string> away = command(writeScene(folder), folder.file("report"));
+    *(std::find(away.begin(), away.end(), "--target") + 1) = "8,-10,6";
+    expectRefused(away, 1, "no surface is in the view");
+}
+
+TEST_F(TradeoffProgram, CameraInsideAWall)
+{
+    const TemporaryFolder folder;
+    std::vector<std::string> inside = command(writeScene(folder), folder.file("report"), {"--only", "default"});
+    *(std::find(inside.begin(), inside.end(), "--eye") + 1) = "0,0,0.5";
+    *(std::find(inside.begin(), inside.end(), "--target") + 1) = "1,0,0.5";
+    const Outcome o = runProgram(inside);
+    EXPECT_EQ(o.status, 0) << o.err;
+    const json j = readJson(folder.file("report") + "/tradeoff.json");
+    ASSERT_EQ(j["points"].size(), 1u);
+    EXPECT_FALSE(j["points"][0]["failed"].get<bool>());
+}
+
+TEST_F(TradeoffProgram, AnInterruptionKeepsWhatThereIs)
+{
+    const TemporaryFolder folder;
+    const std::string output = folder.file("report");
+    // The first report is written within a fraction of a second, the whole takes many.
+    std::vector<std::string> words = {"timeout", "--preserve-status", "-s", "INT", "6"};
+    for (const std::string& w : command(writeScene(folder), output, {"--set", "occlusionLights=65536"})) words.push_back(w);
+    const Outcome o = runProgram(words);
+    EXPECT_EQ(o.status, 1) << o.err;
+    EXPECT_NE(o.err.find("interrupted"), std::string::npos) << o.err;
+    const json j = readJson(output + "/tradeoff.json");
+    ASSERT_FALSE(j.is_discarded());
+    EXPECT_TRUE(j["interrupted"].get<bool>());
+    EXPECT_NE(readFile(output + "/index.html").find("Interrupted after"), std::string::npos);
+}
+
+TEST(Sweeps, EveryDefaultIsASettingsValue)
+{
+    // Each candidate differs from the defaults in what it names, and its settings are valid together.
+    tradeoff::Selection all;
+    const osg::ref_ptr<osgEnvLight::Settings> base = new osgEnvLight::Settings;
+    const osg::ref_ptr<osgEnvLight::Settings> settings = new osgEnvLight::Settings;
+    int different = 0;
+    for (const tradeoff::Candidate& c : tradeoff::candidates(all)) {
+        SCOPED_TRACE(c.sweep + " " + c.value);
+        tradeoff::Texts changed;
+        apply(c, *base, *settings, changed);
+        std::string error;
+        EXPECT_TRUE(settings->valid(error)) << error;
+        if (!changed.empty()) ++different;
+        for (const auto& [name, value] : c.settings)
+            EXPECT_EQ(value, osgEnvLight::Settings::find(name)->getString(*settings)) << name;
+    }
+    EXPECT_GT(different, 40);
+    tradeoff::Selection quick;
+    quick.quick = true;
+    quick.specular = false;
+    const std::vector<tradeoff::Candidate> few = tradeoff::candidates(quick);
+    EXPECT_LT(few.size(), tradeoff::candidates(all).size() / 2);
+    for (const tradeoff::Candidate& c : few) EXPECT_NE(c.sweep, "specularSamples");
+}
