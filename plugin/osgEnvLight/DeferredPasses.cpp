@@ -73,8 +73,9 @@ osg::Texture* DeferredTechnique::albedoTable()
     return _albedoTable.get();
 }
 
-void DeferredTechnique::prepare(FullScreen& triangle, const Cull& c) const
+void DeferredTechnique::prepare(FullScreen& triangle, const osg::StateSet& state, const Cull& c) const
 {
+    triangle.textureUnits = state.getNumTextureAttributeLists();
     triangle.mapFromWorld = c.mapFromWorld;
     triangle.timed = c.timed;
 }
@@ -83,7 +84,7 @@ void DeferredTechnique::addPass(Cull& c, osgUtil::CullVisitor& cv, const std::st
 {
     osg::ref_ptr<Pass>& pass = c.frame.passes[name];
     if (!pass) pass = new Pass(name, &c.view.timer(name));
-    prepare(pass->triangle(), c);
+    prepare(pass->triangle(), state, c);
     pass->add(c.host, *target.camera, *c.view.viewport(), state, *c.frame.uniforms, cv.getProjectionMatrix(),
               cv.getModelViewMatrix());
 }
@@ -188,7 +189,7 @@ void DeferredTechnique::addComposite(Cull& c, osgUtil::CullVisitor& cv)
     osg::StateSet& state = passState(c, "composite", compositeInputs(c));
     if (c.settings.view == Settings::LIGHT_LIST) addSuns(state, c.view.textures());
     if (!c.frame.composite) c.frame.composite = new FullScreen("composite", &c.view.timer("composite"));
-    prepare(*c.frame.composite, c);
+    prepare(*c.frame.composite, state, c);
     cv.pushStateSet(&state);
     cv.pushStateSet(c.frame.uniforms.get());
     cv.addDrawable(c.frame.composite.get(), cv.getModelViewMatrix());

@@ -80,6 +80,8 @@ void FullScreen::drawImplementation(osg::RenderInfo& renderInfo) const
     if (timed) _timer->begin(state);
     osg::Geometry::drawImplementation(renderInfo);
     if (timed) _timer->end(state);
+    // State knows what is bound by its address alone, and would take a later texture at a freed one's for it.
+    for (unsigned unit = 0; unit < textureUnits; ++unit) state.haveAppliedTextureAttribute(unit, osg::StateAttribute::TEXTURE);
 }
 
 void prepareStage(osgUtil::RenderStage& stage, osgUtil::RenderStage& host, osg::Camera& camera, osg::Viewport& viewport,
@@ -87,6 +89,8 @@ void prepareStage(osgUtil::RenderStage& stage, osgUtil::RenderStage& host, osg::
 {
     stage.setPositionalStateContainer(nullptr);  // reset() would empty it, and below it may be the host's
     stage.reset();
+    // The stage observes its camera, and does not take a new one at a dead one's address for another.
+    stage.setCamera(nullptr);
     stage.setCamera(&camera);
     stage.setViewport(&viewport);
     // State caches one draw buffer for all frame buffers, so none is set here.
