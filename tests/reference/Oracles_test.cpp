@@ -128,8 +128,7 @@ TEST(ReferenceOracles, WhiteMetalInAFurnaceReflectsEverything)
             const double a = degrees * pi / 180.0;
             const osg::Vec3d towards(std::sin(a), 0, std::cos(a));
             const Traced view = parallelView(*quad, towards * 1e-2, -towards, 1e-5, 32);
-            const Estimate e =
-                estimateOf(view.render(constantSky, makeOptions(ReferenceOptions::MIS, 64, 4)), Layer::BEAUTY);
+            const Estimate e = estimateOf(view.render(constantSky, makeOptions(ReferenceOptions::MIS, 64, 4)), Layer::BEAUTY);
             // Single and multiple scattering sum to 1 by construction, up to the table's own error between its nodes.
             EXPECT_NEAR(e.value, 1.0, 0.003 + 4.0 * e.error) << "roughness " << roughness << " at " << degrees;
             EXPECT_LE(e.error, 1e-3);

@@ -126,8 +126,8 @@ TEST(ReferenceRadiosity, IntegratingSphere)
         together({emissive(spherePart(0.0, cut, 64, 256), 1.0, rho), emissive(spherePart(cut, pi, 128, 256), 0.0, rho)});
     const Traced dark = perspectiveView(*scene, osg::Vec3d(), osg::Vec3d(0.3, 0.2, -1), 32, 20.0);
     const Traced bright = perspectiveView(*scene, osg::Vec3d(), osg::Vec3d(0.1, 0.2, 1), 32, 20.0);
-    expectNear(estimateOf(dark.render(night, full(16, 8)), Layer::BEAUTY), oracle::integratingSphere(0.0, 0.25, rho), 0.006, "dark",
-               6e-4);
+    expectNear(estimateOf(dark.render(night, full(16, 8)), Layer::BEAUTY), oracle::integratingSphere(0.0, 0.25, rho), 0.006,
+               "dark", 6e-4);
     expectNear(estimateOf(bright.render(night, full(16, 8)), Layer::BEAUTY), oracle::integratingSphere(1.0, 0.25, rho), 0.003,
                "bright", 6e-4);
 }
