@@ -223,6 +223,14 @@ bool RayScene::nearest(const Ray& ray, Kind kind, std::uint64_t seed, SurfaceHit
 
 void RayScene::transmittance(const Ray* rays, size_t count, float* result) const
 {
+    if (count == 1) {
+        Context context(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
+        RTCRay ray;
+        toEmbree(*rays, _scene.radius, ray);
+        rtcOccluded1(_embree->scene, &context.context, &ray);
+        *result = ray.tfar < 0.0f ? 0.0f : context.transmittance[0];
+        return;
+    }
     for (size_t first = 0; first < count; first += packetSize) {
         const unsigned n = unsigned(std::min<size_t>(packetSize, count - first));
         Context context(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);

@@ -18,7 +18,7 @@ namespace
 
 using Clock = std::chrono::steady_clock;
 
-const int tile = 16;
+const int tile = 8;
 
 // One pass's mean at one pixel.
 struct PixelMeans {
@@ -230,9 +230,11 @@ class ReferenceRun
         m[Layer::BEAUTY] = surface.emission() + direct.visible() + m[Layer::INDIRECT];
         m[Layer::ALBEDO] = surface.albedo();
         m[Layer::NORMAL] = surface.normal();
-        const glm::dvec3 world = seen.hit.position + _reference._scene.scene().origin;
         m[Layer::BLENDED] = glm::dvec3(seen.hit.mesh->material.blended ? 1.0 : 0.0);
-        m[Layer::DEPTH] = glm::dvec3(_reference._camera.project(world).z);
+        if (_layers.count(Layer::DEPTH)) {
+            const glm::dvec3 world = seen.hit.position + _reference._scene.scene().origin;
+            m[Layer::DEPTH] = glm::dvec3(_reference._camera.project(world).z);
+        }
     }
 
     const Reference& _reference;
