@@ -18,10 +18,13 @@ namespace
 using osgEnvLight::Layer;
 using osgEnvLight::Picture;
 
-// A part that the error may be made of.
+// A part that the error may be made of. A remainder is what is left of the parts before it that belong to it: taking one of
+// these away takes it out of the remainder, too.
 struct Part {
     std::string name;
     Picture picture;
+    bool ofRemainder = false;
+    bool remainder = false;
 };
 
 Picture scaled(const Picture& p, float factor)
@@ -55,28 +58,41 @@ std::string rounded(double percent)
     return text.str();
 }
 
-// Greedy: the part whose removal lessens the squared error most, again and again.
+// The part whose removal leaves the least squared error; parts.size() if none lessens it by 1 % of total.
+size_t bestPart(const Picture& error, const std::vector<Part>& parts, bool remainders, double total,
+                const osgEnvLight::Mask& mask)
+{
+    size_t best = parts.size();
+    double least = squared(error, mask) - 0.01 * total;
+    for (size_t i = 0; i < parts.size(); ++i) {
+        if (parts[i].remainder != remainders) continue;
+        const double without = squared(difference(error, parts[i].picture), mask);
+        if (without > least) continue;
+        least = without;
+        best = i;
+    }
+    return best;
+}
+
+// Greedy: the best part, then the best of what remains; remainders, which hold all that has no other name, last.
 std::vector<std::pair<std::string, double>> sharesOf(Picture error, std::vector<Part> parts, const osgEnvLight::Mask& mask)
 {
     std::vector<std::pair<std::string, double>> shares;
     const double total = squared(error, mask);
-    double rest = total;
-    while (!parts.empty() && total > 0.0) {
-        size_t best = 0;
-        double least = rest;
-        for (size_t i = 0; i < parts.size(); ++i) {
-            const double without = squared(difference(error, parts[i].picture), mask);
-            if (without < least) {
-                least = without;
-                best = i;
-            }
-        }
-        if (rest - least < 0.01 * total) break;
-        shares.emplace_back(parts[best].name, (rest - least) / total);
-        error = difference(error, parts[best].picture);
-        rest = least;
+    while (total > 0.0) {
+        size_t best = bestPart(error, parts, false, total, mask);
+        if (best == parts.size()) best = bestPart(error, parts, true, total, mask);
+        if (best == parts.size()) break;
+        const Part part = parts[best];
+        const Picture without = difference(error, part.picture);
+        shares.emplace_back(part.name, (squared(error, mask) - squared(without, mask)) / total);
+        error = without;
+        const auto after =
+            std::find_if(parts.begin() + ptrdiff_t(best) + 1, parts.end(), [](const Part& p) { return p.remainder; });
+        if (part.ofRemainder) after->picture = difference(after->picture, part.picture);
         parts.erase(parts.begin() + ptrdiff_t(best));
     }
+    std::sort(shares.begin(), shares.end(), [](const auto& x, const auto& y) { return x.second > y.second; });
     return shares;
 }
 
@@ -99,13 +115,25 @@ double shareOfWorst(const Picture& error, const osgEnvLight::Mask& mask)
     return worst / total;
 }
 
+// Of a constant, the same for all pixels.
+double offsetShare(const Picture& error, const osgEnvLight::Mask& mask)
+{
+    osg::Vec3d sum;
+    for (int y = 0; y < error.height; ++y)
+        for (int x = 0; x < error.width; ++x)
+            if (mask.at(x, y)) sum += error.color(x, y);
+    const double total = squared(error, mask);
+    return total > 0.0 ? sum.length2() / (double(mask.pixels()) * total) : 0.0;
+}
+
 std::string sentenceOf(const TermPictures& t, const Picture& error, const Truth& truth, Layer layer)
 {
     const Figures f = figuresOf(t.ours, truth, layer);
     if (!f.resolved) return "The difference is no larger than what the reference itself is uncertain by.";
     std::string text;
     if (t.shares.empty())
-        text = "No single cause accounts for as much as 1\u00a0% of the squared error.";
+        text = rounded(100.0 * offsetShare(error, truth.maskOf(layer))) +
+               " of the squared error is a common offset; the rest is too bright in some places and too dark in others.";
     else
         text = rounded(100.0 * t.shares[0].second) + " of the squared error is " + t.shares[0].first + ".";
     const osgEnvLight::Mask& mask = truth.maskOf(layer);
@@ -140,17 +168,13 @@ TermPictures entry(const std::string& term, const Picture& ours, Layer layer, co
     return t;
 }
 
-// What ours has and the truth has not, or less of.
+// The occlusion's error, by what occludes; sign 1 where too little of it is too much.
 std::vector<Part> occlusionParts(const Truth& truth, float sign, const Picture& error)
 {
-    std::vector<Part> parts = {
-        {"occlusion by objects outside the view", scaled(truth[Layer::OCCLUSION_OUTSIDE], sign)},
-        {"occlusion by surfaces that others hide from the camera", scaled(truth[Layer::OCCLUSION_HIDDEN], sign)},
-        {"occlusion beyond the reach of the rays (occlusionRadius)", scaled(truth[Layer::OCCLUSION_FAR], sign)}};
-    Picture rest = error;
-    for (const Part& p : parts) rest = difference(rest, p.picture);
-    parts.push_back({"occlusion by what the view shows: steps, thickness, lights and filter", rest});
-    return parts;
+    return {{"occlusion by objects outside the view", scaled(truth[Layer::OCCLUSION_OUTSIDE], sign), true},
+            {"occlusion by surfaces that others hide from the camera", scaled(truth[Layer::OCCLUSION_HIDDEN], sign), true},
+            {"occlusion beyond the reach of the rays (occlusionRadius)", scaled(truth[Layer::OCCLUSION_FAR], sign), true},
+            {"how occlusion is found on the screen: steps, thickness, lights and filter", error, false, true}};
 }
 
 }  // namespace
@@ -164,8 +188,11 @@ std::vector<TermPictures> attribute(const Terms& ours, const Truth& truth)
     // Too little occlusion is too much light: the occlusion's error counts against beauty's.
     std::vector<Part> parts = occlusionParts(truth, 1.0f, scaled(occlusion, -1.0f));
     parts.push_back({"reflections that nothing occludes", difference(truth[Layer::SPECULAR], truth[Layer::SPECULAR_VISIBLE])});
-    parts.push_back({"noise and blur of the reflections (specularSamples)", specular});
-    parts.push_back({"the diffuse term before occlusion (the lights or harmonics that stand for the map)", diffuse});
+    // What the reference can't tell from its own noise, which is in beauty too, is no cause.
+    if (figuresOf(ours.specular, truth, Layer::SPECULAR).resolved)
+        parts.push_back({"noise and blur of the reflections (specularSamples)", specular});
+    if (figuresOf(ours.diffuse, truth, Layer::DIFFUSE).resolved)
+        parts.push_back({"the diffuse term before occlusion (the lights or harmonics that stand for the map)", diffuse});
     if (truth.full) parts.push_back({"light from other surfaces", scaled(truth[Layer::INDIRECT], -1.0f)});
     result.push_back(entry("beauty", ours.beauty, Layer::BEAUTY, parts, truth));
     result.push_back(entry("diffuse", ours.diffuse, Layer::DIFFUSE, {}, truth));

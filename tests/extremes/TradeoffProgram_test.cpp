@@ -104,6 +104,29 @@ TEST_F(TradeoffProgram, MeasuresAndReports)
     for (const json& width : images) EXPECT_EQ(width, 48);
 }
 
+TEST_F(TradeoffProgram, SaysWhatTheErrorIs)
+{
+    // A roof over the plate, out of the picture: the screen can't know of it.
+    const TemporaryFolder folder;
+    osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+    geode->addDrawable(new osg::ShapeDrawable(new osg::Box(osg::Vec3(0, 0, -0.05f), 6.0f, 6.0f, 0.1f)));
+    geode->addDrawable(new osg::ShapeDrawable(new osg::Box(osg::Vec3(0, 0, 3.0f), 6.0f, 6.0f, 0.1f)));
+    const std::string scene = folder.file("roof.osgt");
+    ASSERT_TRUE(osgDB::writeNodeFile(*geode, scene));
+    const Outcome o =
+        runProgram({program, scene, "--env", "sky", "--size", "48x36", "--quick", "--only", "default", "--reference-error", ".03",
+                    "--eye", "0,-2.8,1.5", "--target", "0,0,0", "--fovy", "30", "-o", folder.file("report")});
+    ASSERT_EQ(o.status, 0) << o.err;
+    const json j = readJson(folder.file("report") + "/tradeoff.json");
+    for (const char* term : {"beauty", "occlusion"}) {
+        SCOPED_TRACE(term);
+        const std::string sentence = j["terms"][term]["sentence"];
+        EXPECT_NE(sentence.find("of the squared error is occlusion by objects outside the view"), std::string::npos) << sentence;
+        // Nothing else is wrong there; the reference's own noise is a hundredth.
+        EXPECT_GT(j["terms"][term]["shares"]["occlusion by objects outside the view"], 0.9);
+    }
+}
+
 TEST_F(TradeoffProgram, RefusesWhatItDoesNotKnow)
 {
     const TemporaryFolder folder;
