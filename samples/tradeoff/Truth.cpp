@@ -43,6 +43,7 @@ Truth makeTruth(const ReferenceScene& scene, const TruthOptions& options, const 
     reference.paths = options.full ? ReferenceOptions::FULL : ReferenceOptions::DIRECT;
     reference.estimator = ReferenceOptions::MIS;
     reference.samples = 1u << 20;
+    reference.pass = 8;  // eight of them say how uncertain it is: 64 samples at least
     reference.error = options.error;
     reference.occlusionReach = options.reach;
     std::set<Layer> layers = {

@@ -4,7 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <map>
+#include <regex>
 #include <sstream>
+
+#include <nlohmann/json.hpp>
 
 namespace
 {
@@ -53,4 +58,44 @@ TEST(Readme, EveryCommandWorks)
         EXPECT_EQ(0, o.status) << o.out << o.err;
     }
     EXPECT_GE(run, 6);
+}
+
+namespace
+{
+
+// The rows of the table that samples/tradeoff/readme writes: scene and error of the defaults in percent.
+std::map<std::string, double> quotedErrors()
+{
+    std::istringstream in(readFile(ENVLIGHT_SOURCE_DIR "/README.md"));
+    std::map<std::string, double> errors;
+    bool inside = false;
+    for (std::string line; std::getline(in, line);) {
+        if (line.rfind("<!--", 0) == 0) inside = line.find("measured by samples/tradeoff/readme") != std::string::npos;
+        std::smatch m;
+        const std::regex row(R"(\| (\w+) \|[^|]*\|[^|]*\| \d+ ms, ([\d.]+) % \|.*)");
+        if (inside && std::regex_match(line, m, row)) errors[m[1]] = std::stod(m[2]);
+    }
+    return errors;
+}
+
+}  // namespace
+
+TEST(Readme, QuotedErrorsAreWhatIsMeasured)
+{
+    const std::string program = ENVLIGHT_BINARY_DIR "/bin/envlight-tradeoff";
+    const std::map<std::string, double> quoted = quotedErrors();
+    EXPECT_EQ(quoted.size(), 4u);
+    const TemporaryFolder folder;
+    for (const auto& [scene, error] : quoted) {
+        SCOPED_TRACE(scene);
+        const std::string output = folder.file(scene);
+        const Outcome o = runProgram({program, ENVLIGHT_BINARY_DIR "/scenes/" + scene + ".envlight", "--quick", "--size", "256x256",
+                                      "--only", "default", "--reference-error", ".08", "-o", output});
+        ASSERT_EQ(o.status, 0) << o.err;
+        const auto report = nlohmann::json::parse(readFile(output + "/tradeoff.json"));
+        // Both digits that are quoted; the coarser reference's own noise, which is subtracted, leaves 3 % (measured: 2.4 %).
+        const double measured = 100.0 * report["points"][0]["beauty"]["tRMSE"].get<double>();
+        EXPECT_NEAR(measured, error, 0.03 * error + 0.5 * std::pow(10.0, std::floor(std::log10(error)) - 1.0))
+            << "run samples/tradeoff/readme";
+    }
 }
