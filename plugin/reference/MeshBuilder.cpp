@@ -56,7 +56,7 @@ class ElementReader : public osg::ConstValueVisitor
     template <class V>
     void set(const V& v, int n)
     {
-        for (int i = 0; i < n; ++i) _value[i] = double(v[i]);
+        for (int i = 0; i < n; ++i) _value[i] = double(v.ptr()[i]);
     }
 
     glm::dvec4 _value{0, 0, 0, 1};
