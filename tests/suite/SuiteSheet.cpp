@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// The suite for the eye, and as a table.
+#include "Suite.h"
+
+#include <metrics/Display>
+#include <metrics/FalseColor>
+
+#include <ImageFile.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <locale>
+#include <stdexcept>
+
+namespace suite
+{
+
+using osgEnvLight::Picture;
+
+namespace
+{
+
+const int gap = 4;
+
+osg::ref_ptr<osg::Image> whiteImage(int w, int h)
+{
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(w, h, 1, GL_RGB, GL_UNSIGNED_BYTE, 1);
+    std::fill_n(image->data(), image->getTotalSizeInBytes(), static_cast<unsigned char>(255));
+    return image;
+}
+
+// x, y of the lower left corner.
+void paste(const Picture& encoded, int x, int y, osg::Image& sheet)
+{
+    for (int j = 0; j < encoded.height; ++j)
+        for (int i = 0; i < encoded.width; ++i)
+            for (int k = 0; k < 3; ++k)
+                sheet.data(unsigned(x + i), unsigned(y + j))[k] =
+                    static_cast<unsigned char>(std::lround(255.0f * std::clamp(encoded.at(i, j)[k], 0.0f, 1.0f)));
+}
+
+// A line for each scene, and one more for each of its variations.
+std::vector<std::vector<const Row*>> lines()
+{
+    std::vector<std::vector<const Row*>> result;
+    for (const Row& row : rows()) {
+        const bool same = !result.empty() && std::string(result.back()[0]->scene) == row.scene &&
+                          std::string(result.back()[0]->variation.name) == row.variation.name;
+        if (!same) result.emplace_back();
+        result.back().push_back(&row);
+    }
+    return result;
+}
+
+}  // namespace
+
+void writeContactSheet(const std::string& fileName)
+{
+    const auto all = lines();
+    size_t columns = 0;
+    for (const auto& line : all) columns = std::max(columns, line.size());
+    const int stepX = 3 * width + 2 * gap;
+    const int stepY = height + gap;
+    const osg::ref_ptr<osg::Image> sheet = whiteImage(int(columns) * stepX, int(all.size()) * stepY);
+    for (size_t line = 0; line < all.size(); ++line)
+        for (size_t column = 0; column < all[line].size(); ++column) {
+            const Result& r = result(*all[line][column]);
+            if (!r.installed) continue;
+            const int x = int(column) * stepX;
+            const int y = int(all.size() - 1 - line) * stepY;
+            paste(osgEnvLight::displayEncoded(r.picture, r.stops), x, y, *sheet);
+            paste(osgEnvLight::displayEncoded(r.reference, r.stops), x + width, y, *sheet);
+            // The darkest colours from a quarter of the display's white.
+            paste(osgEnvLight::signedDifference(r.picture, r.reference, 0.25 * std::exp2(-r.stops)), x + 2 * width, y, *sheet);
+        }
+    writeImageFile(*sheet, fileName);
+}
+
+void writeTable(const std::string& fileName)
+{
+    std::ofstream out(fileName);
+    out.imbue(std::locale::classic());
+    out << "row";
+    for (const char* name : figureNames) out << "," << name;
+    out << ",noise of the reference,tRMSE without O,O at half the steps,S at "
+           "half the samples,seconds,why\n";
+    for (const Row& row : rows()) {
+        const Result& r = result(row);
+        if (!r.installed) continue;
+        out << row.name();
+        for (double figure : r.figures) out << "," << figure;
+        out << "," << r.noise << "," << r.withoutOcclusion << "," << r.halfSteps << "," << r.halfSamples << "," << r.seconds
+            << ",\"" << row.why << "\"\n";
+    }
+    out.close();
+    if (!out) throw std::runtime_error(fileName + ": can't be written");
+}
+
+}  // namespace suite

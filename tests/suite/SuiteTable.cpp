@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "Suite.h"
+
+namespace suite
+{
+
+const std::vector<Row>& rows()
+{
+    static const std::vector<Row> table = {
+        {"wall", "sky"},
+        {"wall", "studio"},
+        {"wall", "courtyard"},
+        {"wall", "interior"},
+        {"post", "sky"},
+        {"post", "studio"},
+        {"post", "courtyard"},
+        {"post", "interior"},
+        {"room", "sky",
+         "nothing out of the picture, and no wall behind the camera, occludes on "
+         "the screen"},
+        {"room", "studio",
+         "nothing out of the picture, and no wall behind the camera, occludes on "
+         "the screen"},
+        {"room", "courtyard",
+         "nothing out of the picture, and no wall behind the camera, occludes on "
+         "the screen"},
+        {"room", "interior",
+         "nothing out of the picture, and no wall behind the camera, occludes on "
+         "the screen"},
+        {"stairs", "sky"},
+        {"stairs", "studio"},
+        {"stairs", "courtyard"},
+        {"stairs", "interior"},
+        {"canopy", "sky"},
+        {"canopy", "studio"},
+        {"canopy", "courtyard"},
+        {"canopy", "interior"},
+        {"foliage", "sky"},
+        {"foliage", "studio"},
+        {"foliage", "courtyard"},
+        {"foliage", "interior"},
+        {"gloss", "sky"},
+        {"gloss", "studio"},
+        {"gloss", "courtyard"},
+        {"gloss", "interior"},
+        {"knot", "sky"},
+        {"knot", "studio"},
+        {"knot", "courtyard"},
+        {"knot", "interior"},
+        {"chess", "sky"},
+        {"chess", "studio"},
+        {"chess", "courtyard"},
+        {"chess", "interior"},
+        {"atrium", "sky", "roof and walls out of the picture occlude nothing on the screen"},
+        {"atrium", "studio", "roof and walls out of the picture occlude nothing on the screen"},
+        {"atrium", "courtyard", "roof and walls out of the picture occlude nothing on the screen"},
+        {"atrium", "interior", "roof and walls out of the picture occlude nothing on the screen"},
+        {"swing", "sky"},
+        {"swing", "studio"},
+        {"swing", "courtyard"},
+        {"swing", "interior"},
+        {"spheres", "studio"},
+        {"spider", "sky",
+         "legs a pixel wide, beside which the rasteriser and a ray may see "
+         "another one"},
+        {"spider", "studio",
+         "legs a pixel wide, beside which the rasteriser and a ray may see "
+         "another one"},
+        {"spider", "courtyard",
+         "legs a pixel wide, beside which the rasteriser and a ray may see "
+         "another one"},
+        {"spider", "interior",
+         "legs a pixel wide, beside which the rasteriser and a ray may see "
+         "another one"},
+        {"wuson", "sky"},
+        {"wuson", "studio"},
+        {"wuson", "courtyard"},
+        {"wuson", "interior"},
+        {"fels", "sky"},
+        {"fels", "studio"},
+        {"fels", "courtyard"},
+        {"fels", "interior"},
+        {"post", "lamps", "", {"two_sides"}},
+        {"gloss", "sunset", "", {"turned", 110.0}},
+        {"stairs", "forest", "", {"parallel", 0.0, true}},
+        {"canopy", "sky", "", {"fine", 0.0, false, {{"occlusionSteps", 64}, {"occlusionLights", 2048}}}},
+    };
+    return table;
+}
+
+}  // namespace suite
