@@ -57,7 +57,6 @@ ReferenceOptions referenceOptions()
 const Layer sampledLayers[] = {Layer::BEAUTY, Layer::DIFFUSE, Layer::SPECULAR, Layer::OCCLUSION};
 const Layer exactLayers[] = {Layer::NORMAL, Layer::DEPTH, Layer::BLENDED};
 
-double reachForDebug = 0;
 ReferenceCache::Pictures trace(const osgEnvLight::TriangleScene& triangles, const osgEnvLight::RayCamera& camera,
                                const osgEnvLight::Environment& environment)
 {
@@ -65,23 +64,7 @@ ReferenceCache::Pictures trace(const osgEnvLight::TriangleScene& triangles, cons
     const osgEnvLight::Reference reference(rays, camera, environment);
     std::set<Layer> layers(std::begin(sampledLayers), std::end(sampledLayers));
     layers.insert(std::begin(exactLayers), std::end(exactLayers));
-    ReferenceOptions oo = referenceOptions();
-    oo.occlusionReach = reachForDebug;
-    layers.insert(Layer::OCCLUSION_OUTSIDE);
-    layers.insert(Layer::OCCLUSION_HIDDEN);
-    layers.insert(Layer::OCCLUSION_FAR);
-    const osgEnvLight::ReferenceResult result = reference.render(oo, layers);
-    {
-        auto total = [&](Layer l) {
-            double t = 0;
-            const Picture q = result.mean(l);
-            for (size_t i = 0; i < q.pixels(); ++i) t += double(q.rgba[4 * i] + q.rgba[4 * i + 1] + q.rgba[4 * i + 2]);
-            return t;
-        };
-        const double o = total(Layer::OCCLUSION);
-        std::printf("SHARE O/D %.3f outside %.2f hidden %.2f far %.2f\n", o / total(Layer::DIFFUSE),
-                    total(Layer::OCCLUSION_OUTSIDE) / o, total(Layer::OCCLUSION_HIDDEN) / o, total(Layer::OCCLUSION_FAR) / o);
-    }
+    const osgEnvLight::ReferenceResult result = reference.render(referenceOptions(), layers);
     ReferenceCache::Pictures pictures;
     for (Layer layer : sampledLayers) {
         pictures.push_back(result.mean(layer));
@@ -108,8 +91,6 @@ Truth truthOf(osgEnvLight::LitScene& lit, osgViewer::Viewer& viewer)
     hash.map(*radiance, map.getRotation(), map.getIntensity());
     hash.options(referenceOptions());
 
-    hash.value(12345);
-    reachForDebug = double(lit.getSettings()->occlusionRadius) * double(lit.getBound().radius());
     const ReferenceCache::Pictures p = ReferenceCache(cacheFolder).get(hash.get(), [&] {
         const double toMiddle = (lit.getBound().center() - camera.getInverseViewMatrix().getTrans()).length();
         const osgEnvLight::RayCamera rays(camera.getViewMatrix(), camera.getProjectionMatrix(), width, height,
@@ -181,8 +162,7 @@ class Measurement
         return p;
     }
 
-    // The terms are those of what the passes light: transparent surfaces are
-    // drawn afterwards.
+    // The terms are those of what the passes light: transparent surfaces are drawn afterwards.
     Mask opaque(const Mask& mask) const
     {
         Mask result = mask;
@@ -240,7 +220,6 @@ Result measure(const Row& row)
     osgEnvLight::EnvironmentMap& map = *scene.lit->getEnvironmentMap();
     map.setRotation(map.getRotation() + row.variation.rotation);
     r.installed = true;
-    std::printf("%s ", row.name().c_str());
     Measurement(scene, row.variation).run(r);
     r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return r;

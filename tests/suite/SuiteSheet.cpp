@@ -84,8 +84,7 @@ void writeTable(const std::string& fileName)
     out.imbue(std::locale::classic());
     out << "row";
     for (const char* name : figureNames) out << "," << name;
-    out << ",noise of the reference,tRMSE without O,O at half the steps,S at "
-           "half the samples,seconds,why\n";
+    out << ",noise of the reference,tRMSE without O,O at half the steps,S at half the samples,seconds,why\n";
     for (const Row& row : rows()) {
         const Result& r = result(row);
         if (!r.installed) continue;
