@@ -30,19 +30,14 @@ std::string lineOf(const Row& row)
 
 void addFigureNames(Row& row, const std::string& prefix)
 {
-    for (const char* name : {"tRMSE", "relMSE", "rmse", "bias", "p99", "ssim", "flip", "noise", "resolved"})
-        row.push_back(prefix + name);
+    for (const FigureColumn& column : figureColumns) row.push_back(prefix + column.name);
+    row.push_back(prefix + "resolved");
 }
 
 void addFigures(Row& row, const Figures* figures)
 {
-    if (!figures) {
-        row.resize(row.size() + 8);
-        return;
-    }
-    const Figures& f = *figures;
-    for (double value : {f.tRMSE, f.relMSE, f.rmse, f.bias, f.p99, f.ssim, f.flip, f.noise}) row.push_back(exactNumber(value));
-    row.push_back(f.resolved ? "1" : "0");
+    for (const FigureColumn& column : figureColumns) row.push_back(figures ? exactNumber(figures->*column.value) : "");
+    row.push_back(!figures ? "" : figures->resolved ? "1" : "0");
 }
 
 Row header(const Summary& summary)

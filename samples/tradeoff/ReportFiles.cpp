@@ -53,8 +53,10 @@ ordered_json json(const Spread& s)
 
 ordered_json json(const Figures& f)
 {
-    return {{"tRMSE", f.tRMSE}, {"relMSE", f.relMSE}, {"rmse", f.rmse},   {"bias", f.bias},        {"p99", f.p99},
-            {"ssim", f.ssim},   {"flip", f.flip},     {"noise", f.noise}, {"resolved", f.resolved}};
+    ordered_json j;
+    for (const FigureColumn& column : figureColumns) j[column.name] = f.*column.value;
+    j["resolved"] = f.resolved;
+    return j;
 }
 
 ordered_json json(const Report& report, const Summary& summary, size_t index)

@@ -12,6 +12,10 @@
 namespace tradeoff
 {
 
+const std::vector<FigureColumn> figureColumns = {
+    {"tRMSE", &Figures::tRMSE}, {"relMSE", &Figures::relMSE}, {"rmse", &Figures::rmse}, {"bias", &Figures::bias},
+    {"p99", &Figures::p99},     {"ssim", &Figures::ssim},     {"flip", &Figures::flip}, {"noise", &Figures::noise}};
+
 namespace
 {
 

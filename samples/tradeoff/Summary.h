@@ -46,6 +46,13 @@ std::string settingsJson(const Point& point);
 /** "2.1 %"; "< 0.2 %" where the reference can't tell. */
 std::string errorText(const Figures& figures);
 
+/** The numbers of Figures by the names that files give them. */
+struct FigureColumn {
+    const char* name;
+    double Figures::*value;
+};
+extern const std::vector<FigureColumn> figureColumns;
+
 /** The measurement of that name, or none. */
 const Spread* passOf(const Point& point, const std::string& name);
 const Figures* termOf(const Point& point, const std::string& name);

@@ -99,6 +99,17 @@ TEST_F(ReportFiles, CsvHasARowForEachPoint)
     }
 }
 
+TEST_F(ReportFiles, CsvOfAPointThatLacksATerm)
+{
+    Report r = sampleReport();
+    r.points[1].terms.clear();
+    writeReport(r, folder.file(""));
+    const std::vector<Row> rows = csv();
+    EXPECT_EQ(rows[0].size(), rows[2].size());
+    EXPECT_EQ("", at(rows[2], "specular resolved"));
+    EXPECT_EQ(r.points[1].passes[3].second.median, std::stod(at(rows[2], "occlusion ms")));
+}
+
 TEST_F(ReportFiles, JsonHasEverything)
 {
     Report r = sampleReport();
