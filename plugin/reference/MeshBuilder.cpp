@@ -85,6 +85,15 @@ const osg::Array* bound(const osg::Array* array)
     return array && array->getNumElements() > 0 && array->getBinding() != osg::Array::BIND_OFF ? array : nullptr;
 }
 
+std::vector<glm::uvec3> trianglesOf(const osg::PrimitiveSet& set)
+{
+    std::vector<glm::uvec3> triangles;
+    osg::TriangleIndexFunctor<Collect> collect;
+    collect.triangles = &triangles;
+    set.accept(collect);
+    return triangles;
+}
+
 bool degenerate(const TriangleMesh& mesh, const glm::uvec3& t)
 {
     const glm::dvec3 a = mesh.positions[t.x];
@@ -125,6 +134,28 @@ void appendVertices(const osg::Geometry& g, unsigned set, const osg::Matrixd& wo
 
 }  // namespace
 
+void expandByTriangles(const osg::Geometry& geometry, const osg::Matrixd& worldFromModel, osg::BoundingBoxd& box)
+{
+    const osg::Array* vertices = geometry.getVertexArray();
+    if (!vertices) return;
+    const unsigned count = vertices->getNumElements();
+    ElementReader reader;
+    for (unsigned set = 0; set < geometry.getNumPrimitiveSets(); ++set) {
+        for (const glm::uvec3& t : trianglesOf(*geometry.getPrimitiveSet(set))) {
+            if (t.x >= count || t.y >= count || t.z >= count) continue;
+            osg::BoundingBoxd own;
+            bool finite = true;
+            for (int i = 0; i < 3; ++i) {
+                const glm::dvec4 v = reader.read(*vertices, t[i]);
+                const osg::Vec3d world = osg::Vec3d(v.x, v.y, v.z) * worldFromModel;
+                finite = finite && std::isfinite(world.x()) && std::isfinite(world.y()) && std::isfinite(world.z());
+                own.expandBy(world);
+            }
+            if (finite) box.expandBy(own);
+        }
+    }
+}
+
 bool appendTriangles(const osg::Geometry& geometry, const osg::Matrixd& worldFromModel, const osg::Matrixd& textureMatrix,
                      const glm::dvec3& origin, TriangleMesh& mesh, TriangleScene& counts)
 {
@@ -133,10 +164,7 @@ bool appendTriangles(const osg::Geometry& geometry, const osg::Matrixd& worldFro
     const bool bySet = perPrimitiveSet(geometry.getNormalArray()) || perPrimitiveSet(geometry.getColorArray());
     bool surfaces = false;
     for (unsigned set = 0; set < geometry.getNumPrimitiveSets(); ++set) {
-        std::vector<glm::uvec3> triangles;
-        osg::TriangleIndexFunctor<Collect> collect;
-        collect.triangles = &triangles;
-        geometry.getPrimitiveSet(set)->accept(collect);
+        std::vector<glm::uvec3> triangles = trianglesOf(*geometry.getPrimitiveSet(set));
         if (triangles.empty()) continue;
         surfaces = true;
         if (mesh.positions.empty() || bySet) {

@@ -4,11 +4,16 @@
 
 #include <reference/TriangleScene>
 
+#include <osg/BoundingBox>
 #include <osg/Geometry>
 #include <osg/Matrixd>
 
 namespace osgEnvLight
 {
+
+/** Expands a box of the world by the geometry's triangles. Unlike Drawable::getBoundingBox it follows no index beyond the vertices
+ * and leaves out triangles that are not finite. */
+void expandByTriangles(const osg::Geometry& geometry, const osg::Matrixd& worldFromModel, osg::BoundingBoxd& box);
 
 /** Appends the geometry's triangles, transformed, positions relative to origin.
  * @param counts  its degenerate triangles are added to

@@ -112,13 +112,10 @@ class Flattener
     void findOrigin()
     {
         osg::BoundingBoxd box;
-        for (const osgUtil::RenderLeaf* leaf : _leaves) {
-            const osg::BoundingBox& own = leaf->getDrawable()->getBoundingBox();
-            const osg::Matrixd matrix = worldFromModel(*leaf);
-            for (unsigned i = 0; own.valid() && i < 8; ++i) box.expandBy(osg::Vec3d(own.corner(i)) * matrix);
-        }
-        if (box.valid() && box.center().valid())
-            _result.origin = glm::dvec3(box.center().x(), box.center().y(), box.center().z());
+        for (const osgUtil::RenderLeaf* leaf : _leaves)
+            if (const osg::Geometry* geometry = leaf->getDrawable()->asGeometry())
+                expandByTriangles(*geometry, worldFromModel(*leaf), box);
+        if (box.valid()) _result.origin = glm::dvec3(box.center().x(), box.center().y(), box.center().z());
     }
 
     const SceneState& effective(const osgUtil::StateGraph* graph)
