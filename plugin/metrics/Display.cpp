@@ -43,6 +43,21 @@ Picture displayEncoded(const Picture& picture, double stops)
     return result;
 }
 
+osg::ref_ptr<osg::Image> eightBit(const Picture& encoded)
+{
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(encoded.width, encoded.height, 1, GL_RGB, GL_UNSIGNED_BYTE, 1);
+    for (int y = 0; y < encoded.height; ++y)
+        for (int x = 0; x < encoded.width; ++x) {
+            unsigned char* out = image->data(unsigned(x), unsigned(y));
+            for (int k = 0; k < 3; ++k) {
+                const float value = encoded.at(x, y)[k];
+                out[k] = static_cast<unsigned char>(std::lround(255.0f * (value > 0.0f ? std::min(value, 1.0f) : 0.0f)));
+            }
+        }
+    return image;
+}
+
 double automaticExposure(const Picture& reference, const Mask& mask)
 {
     requireSameSize(reference, mask);

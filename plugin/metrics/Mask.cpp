@@ -60,6 +60,13 @@ Mask Mask::geometry(const Picture& picture)
     return mask;
 }
 
+Mask Mask::unmarked(const Picture& marks)
+{
+    Mask mask(marks.width, marks.height, false);
+    for (size_t i = 0; i < marks.pixels(); ++i) mask.counts[i] = !(marks.rgba[4 * i] > 0.0f);
+    return mask;
+}
+
 size_t Mask::pixels() const
 {
     return size_t(std::count(counts.begin(), counts.end(), true));

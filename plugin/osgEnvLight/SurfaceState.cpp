@@ -12,15 +12,10 @@ namespace osgEnvLight
 
 const char* const SurfaceState::gbufferDefine = "OSGENVLIGHT_GBUFFER";
 
-namespace
-{
-
-bool wins(unsigned newFlags, unsigned oldFlags)
+bool SurfaceState::wins(unsigned newFlags, unsigned oldFlags)
 {
     return !(oldFlags & osg::StateAttribute::OVERRIDE) || (newFlags & osg::StateAttribute::PROTECTED);
 }
-
-}  // namespace
 
 void SurfaceState::Mode::merge(osg::StateAttribute::GLModeValue value)
 {

@@ -29,6 +29,13 @@ RayCamera::RayCamera(const osg::Matrixd& view, const osg::Matrixd& projection, i
 {
 }
 
+RayCamera::RayCamera(const osg::Camera& camera, const osg::BoundingSphere& scene)
+    : RayCamera(camera.getViewMatrix(), camera.getProjectionMatrix(), int(camera.getViewport()->width()),
+                int(camera.getViewport()->height()),
+                2.0 * (double(scene.radius()) + (osg::Vec3d(scene.center()) - camera.getInverseViewMatrix().getTrans()).length()))
+{
+}
+
 Ray RayCamera::ray(double x, double y) const
 {
     // Two points of the view ray; which two does not matter, and neither does the matrix's own near and far.

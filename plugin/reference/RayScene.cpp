@@ -114,24 +114,19 @@ double toEmbree(const Ray& ray, double radius, RTCRay& out)
 // leaves open at an edge.
 bool refine(const Ray& ray, SurfaceHit& hit)
 {
+    PlanePoint point;
+    if (!meetPlane(*hit.mesh, hit.triangle, ray, point)) return false;
+    const double slack = 1e-2;
+    if (!(point.distance >= 0.0) || point.u < -slack || point.v < -slack || point.u + point.v > 1.0 + slack) return false;
+    hit.u = glm::clamp(point.u, 0.0, 1.0);
+    hit.v = glm::clamp(point.v, 0.0, 1.0 - hit.u);
+    hit.distance = point.distance;
     const glm::dvec3 a = hit.mesh->positions[hit.triangle.x];
     const glm::dvec3 b = glm::dvec3(hit.mesh->positions[hit.triangle.y]) - a;
     const glm::dvec3 c = glm::dvec3(hit.mesh->positions[hit.triangle.z]) - a;
-    const glm::dvec3 n = glm::cross(b, c);
-    const double facing = glm::dot(n, ray.direction);
-    if (facing == 0.0) return false;
-    const glm::dvec3 o = a - ray.origin;
-    const double t = glm::dot(n, o) / facing;
-    const glm::dvec3 r = glm::cross(ray.direction, o);
-    const double u = -glm::dot(r, c) / facing;
-    const double v = glm::dot(r, b) / facing;
-    const double slack = 1e-2;
-    if (!(t >= 0.0) || u < -slack || v < -slack || u + v > 1.0 + slack) return false;
-    hit.u = glm::clamp(u, 0.0, 1.0);
-    hit.v = glm::clamp(v, 0.0, 1.0 - hit.u);
-    hit.distance = t;
     hit.position = a + hit.u * b + hit.v * c;
-    hit.facet = (facing > 0.0 ? -1.0 : 1.0) * glm::normalize(n);
+    const glm::dvec3 n = glm::cross(b, c);
+    hit.facet = (glm::dot(n, ray.direction) > 0.0 ? -1.0 : 1.0) * glm::normalize(n);
     return true;
 }
 
@@ -270,6 +265,20 @@ Ray RayScene::leave(const SurfaceHit& hit, const glm::dvec3& direction)
     const double lift = std::ldexp(extent, -21);
     const double side = glm::dot(direction, hit.facet) < 0.0 ? -lift : lift;
     return {hit.position + side * hit.facet, direction};
+}
+
+bool meetPlane(const TriangleMesh& mesh, const glm::uvec3& triangle, const Ray& ray, PlanePoint& point)
+{
+    const glm::dvec3 a = mesh.positions[triangle.x];
+    const glm::dvec3 b = glm::dvec3(mesh.positions[triangle.y]) - a;
+    const glm::dvec3 c = glm::dvec3(mesh.positions[triangle.z]) - a;
+    const glm::dvec3 n = glm::cross(b, c);
+    const double facing = glm::dot(n, ray.direction);
+    if (facing == 0.0) return false;
+    const glm::dvec3 o = a - ray.origin;
+    const glm::dvec3 r = glm::cross(ray.direction, o);
+    point = {glm::dot(n, o) / facing, -glm::dot(r, c) / facing, glm::dot(r, b) / facing};
+    return true;
 }
 
 glm::dvec4 surfaceColor(const SurfaceHit& hit, const glm::dvec2& dx, const glm::dvec2& dy)

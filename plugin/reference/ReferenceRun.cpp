@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "Directions.h"
 #include "LightTransport.h"
 
 #include <tbb/blocked_range2d.h>
@@ -8,7 +9,6 @@
 #include <chrono>
 #include <cmath>
 #include <mutex>
-#include <optional>
 
 namespace osgEnvLight
 {
@@ -38,6 +38,14 @@ struct PixelMeans {
 class ReferenceRun
 {
   public:
+    // Through a point of the image, in the scene's coordinates.
+    static Ray sceneRay(const Reference& reference, double x, double y)
+    {
+        Ray ray = reference._camera.ray(x, y);
+        ray.origin -= reference._scene.scene().origin;
+        return ray;
+    }
+
     ReferenceRun(const Reference& reference, const ReferenceOptions& options, const std::set<Layer>& layers,
                  const Reference::Observer& observer)
         : _reference(reference),
@@ -135,36 +143,29 @@ class ReferenceRun
 
     Seen look(double x, double y, std::uint64_t seed) const
     {
-        const RayCamera& camera = _reference._camera;
-        const glm::dvec3 origin = _reference._scene.scene().origin;
         Seen seen;
-        seen.ray = camera.ray(x, y);
-        seen.ray.origin -= origin;
+        seen.ray = sceneRay(_reference, x, y);
         seen.surface = _reference._scene.nearest(seen.ray, RayScene::CAMERA, seed, seen.hit);
         if (!seen.surface) return seen;
         glm::dvec2 dx(0.0), dy(0.0);
         if (seen.hit.mesh->material.texture) {
-            const glm::dvec2 here = textureAt(camera.ray(x, y), origin, seen.hit);
-            dx = textureAt(camera.ray(x + 1.0, y), origin, seen.hit) - here;
-            dy = textureAt(camera.ray(x, y + 1.0), origin, seen.hit) - here;
+            const glm::dvec2 here = textureAt(seen.ray, seen.hit);
+            dx = textureAt(sceneRay(_reference, x + 1.0, y), seen.hit) - here;
+            dy = textureAt(sceneRay(_reference, x, y + 1.0), seen.hit) - here;
         }
         seen.color = surfaceColor(seen.hit, dx, dy);
         return seen;
     }
 
     // Texture coordinates where a ray meets the plane of a hit's triangle.
-    static glm::dvec2 textureAt(const Ray& ray, const glm::dvec3& origin, const SurfaceHit& hit)
+    static glm::dvec2 textureAt(const Ray& ray, const SurfaceHit& hit)
     {
-        const glm::dvec3 a = hit.mesh->positions[hit.triangle.x];
-        const glm::dvec3 b = glm::dvec3(hit.mesh->positions[hit.triangle.y]) - a;
-        const glm::dvec3 c = glm::dvec3(hit.mesh->positions[hit.triangle.z]) - a;
-        const double facing = glm::dot(glm::cross(b, c), ray.direction);
-        if (facing == 0.0) return hit.interpolate(hit.mesh->texCoords);
-        const glm::dvec3 o = a + origin - ray.origin;
-        const glm::dvec3 r = glm::cross(ray.direction, o);
         SurfaceHit moved = hit;
-        moved.u = -glm::dot(r, c) / facing;
-        moved.v = glm::dot(r, b) / facing;
+        PlanePoint point;
+        if (meetPlane(*hit.mesh, hit.triangle, ray, point)) {
+            moved.u = point.u;
+            moved.v = point.v;
+        }
         return moved.interpolate(hit.mesh->texCoords);
     }
 
@@ -270,17 +271,14 @@ ReferenceResult Reference::render(const ReferenceOptions& options, const std::se
 Picture Reference::integrand(int x, int y, int width, bool occluded) const
 {
     Picture picture(width, std::max(width / 2, 1));
-    Ray ray = _camera.ray(x + 0.5, y + 0.5);
-    ray.origin -= _scene.scene().origin;
+    const Ray ray = ReferenceRun::sceneRay(*this, x + 0.5, y + 0.5);
     SurfaceHit hit;
     if (!_scene.nearest(ray, RayScene::CAMERA, 0, hit)) return picture;
     const Reflection surface(hit, ray, surfaceColor(hit));
-    const double pi = std::acos(-1.0);
     for (int row = 0; row < picture.height; ++row)
         for (int column = 0; column < picture.width; ++column) {
             const double theta = pi * (1.0 - (row + 0.5) / picture.height);
-            const double phi = 2.0 * pi * (0.5 - (column + 0.5) / picture.width);
-            const glm::dvec3 l(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
+            const glm::dvec3 l = aboutPole(std::cos(theta), 0.5 - (column + 0.5) / picture.width);
             glm::dvec3 f = _environment.from(l).radiance * (surface.diffuse() + surface.glossy(l)) * surface.cosine(l);
             float through = 1.0f;
             const Ray shadow = RayScene::leave(hit, l);

@@ -74,9 +74,7 @@ void SceneState::merge(const osg::StateSet& s)
     if (!s.getTextureAttributeList().empty()) _textureMatrix.merge(s.getTextureAttributePair(0, osg::StateAttribute::TEXMAT));
     for (const auto& [name, pair] : s.getUniformList()) {
         const auto former = _uniforms.find(name);
-        if (former == _uniforms.end() || !(former->second.second & osg::StateAttribute::OVERRIDE) ||
-            (pair.second & osg::StateAttribute::PROTECTED))
-            _uniforms[name] = pair;
+        if (former == _uniforms.end() || wins(pair.second, former->second.second)) _uniforms[name] = pair;
     }
 }
 

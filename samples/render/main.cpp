@@ -5,10 +5,10 @@
 #include "PluginPath.h"
 #include "Statistics.h"
 
+#include <metrics/Display>
+
 #include <osgDB/FileNameUtils>
 
-#include <chrono>
-#include <cmath>
 #include <stdexcept>
 
 namespace
@@ -21,33 +21,6 @@ struct Arguments {
     int frames = 2;  // the second has all textures and shaders
     std::string statistics;
 };
-
-osg::ref_ptr<osg::Image> render(const Arguments& a, osgEnvLight::LitScene& lit, HeadlessViewer& viewer, Statistics& statistics)
-{
-    lit.setTimed(!a.statistics.empty());
-    for (int i = 0; i < a.frames; ++i) (i == 0 ? statistics.firstFrame : statistics.lastFrame) = viewer.draw(i / 30.0);
-    return viewer.image();
-}
-
-osg::ref_ptr<osg::Image> to8Bit(const osg::Image& image)
-{
-    osg::ref_ptr<osg::Image> out = new osg::Image;
-    out->allocateImage(image.s(), image.t(), 1, GL_RGB, GL_UNSIGNED_BYTE);
-    for (int t = 0; t < image.t(); ++t)
-        for (int s = 0; s < image.s(); ++s) {
-            const float* in = reinterpret_cast<const float*>(image.data(unsigned(s), unsigned(t)));
-            unsigned char* p = out->data(unsigned(s), unsigned(t));
-            for (int k = 0; k < 3; ++k)
-                p[k] = static_cast<unsigned char>(std::lround(255.0f * std::min(std::max(in[k], 0.0f), 1.0f)));
-        }
-    return out;
-}
-
-void writeImage(osg::Image& image, const std::string& name)
-{
-    const bool linear = osgDB::getLowerCaseFileExtension(name) == "exr";
-    writeImageFile(linear ? image : *to8Bit(image), name);
-}
 
 void addOptions(CLI::App& app, Arguments& a)
 {
@@ -70,7 +43,9 @@ int run(Arguments& a)
     osg::ref_ptr<osgEnvLight::LitScene> lit = a.scene.load(extension == "exr");
     HeadlessViewer viewer(*lit, a.scene);
     Statistics statistics{a.scene.scene, a.scene.width, a.scene.height, a.frames};
-    writeImage(*render(a, *lit, viewer, statistics), a.output);
+    lit->setTimed(!a.statistics.empty());
+    for (int i = 0; i < a.frames; ++i) (i == 0 ? statistics.firstFrame : statistics.lastFrame) = viewer.draw(i / 30.0);
+    writeImageFile(extension == "exr" ? *viewer.image() : *osgEnvLight::eightBit(viewer.picture()), a.output);
     std::string error;
     if (!a.statistics.empty() && !statistics.write(a.statistics, *lit, viewer.context(), error)) throw std::runtime_error(error);
     return 0;

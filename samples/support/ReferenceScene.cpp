@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ReferenceScene.h"
 
+#include <metrics/Display>
+
 #include <osgUtil/UpdateVisitor>
 #include <osgViewer/View>
 
@@ -45,9 +47,7 @@ ReferenceScene::ReferenceScene(osgEnvLight::LitScene& lit, const SceneOptions& o
     }
     _triangles = osgEnvLight::flattenScene(lit, camera, frame);
     _rays = std::make_unique<osgEnvLight::RayScene>(_triangles);
-    const double depth = 2.0 * (radius() + (lit.getBound().center() - camera.getInverseViewMatrix().getTrans()).length());
-    _camera = std::make_unique<osgEnvLight::RayCamera>(camera.getViewMatrix(), camera.getProjectionMatrix(), options.width,
-                                                       options.height, depth);
+    _camera = std::make_unique<osgEnvLight::RayCamera>(camera, lit.getBound());
     const osgEnvLight::EnvironmentMap& map = *lit.getEnvironmentMap();
     _environment = std::make_unique<osgEnvLight::MapEnvironment>(*radianceOf(lit), map.getRotation(), map.getIntensity());
     makeReference();
@@ -89,8 +89,7 @@ void ReferenceScene::encodeNormal(float* normal) const
 osg::ref_ptr<osg::Image> ReferenceScene::displayed(const osgEnvLight::Picture& picture) const
 {
     const osgEnvLight::Settings& s = *_lit.getSettings();
-    osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->allocateImage(picture.width, picture.height, 1, GL_RGB, GL_UNSIGNED_BYTE, 1);
+    osgEnvLight::Picture encoded = picture;
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x) {
             const osg::Vec3d color = picture.color(x, y) * std::exp2(double(s.exposure));
@@ -98,8 +97,7 @@ osg::ref_ptr<osg::Image> ReferenceScene::displayed(const osgEnvLight::Picture& p
             if (s.toneCurve == osgEnvLight::Settings::REINHARD) c = glsl::toneReinhard(c);
             if (s.toneCurve == osgEnvLight::Settings::NEUTRAL) c = glsl::toneNeutral(c);
             c = glsl::srgbEncode3(glsl::clamp(c, 0.0, 1.0));
-            unsigned char* p = image->data(unsigned(x), unsigned(y));
-            for (int k = 0; k < 3; ++k) p[k] = static_cast<unsigned char>(std::lround(255.0 * c[k]));
+            for (int k = 0; k < 3; ++k) encoded.at(x, y)[k] = float(c[k]);
         }
-    return image;
+    return osgEnvLight::eightBit(encoded);
 }

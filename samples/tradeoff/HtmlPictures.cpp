@@ -4,6 +4,8 @@
 #include "DisplayPng.h"
 #include "Text.h"
 
+#include <metrics/Display>
+
 #include <cmath>
 
 namespace tradeoff
@@ -30,7 +32,7 @@ std::string image(const Picture& picture, const std::string& uri, const std::str
 
 std::string exposed(const Report& report, const Picture& picture, const std::string& what)
 {
-    return image(picture, pngUri(picture, LINEAR, std::exp2(report.exposure)), what);
+    return image(picture, pngUri(osgEnvLight::displayEncoded(picture, report.exposure)), what);
 }
 
 std::string figure(const std::string& picture, const std::string& caption)
@@ -60,9 +62,9 @@ std::string termSection(const Report& report, const TermPictures& term)
     if (!isEmpty(term.reference))
         html += figure(exposed(report, term.reference, "The " + term.term + " term of the reference"), "reference");
     if (!isEmpty(term.difference))
-        html += figure(image(term.difference, pngUri(term.difference, ENCODED),
-                             "The difference of the " + term.term + " term in false colours"),
-                       "difference" + (term.differenceLegend.empty() ? "" : "; " + term.differenceLegend));
+        html += figure(
+            image(term.difference, pngUri(term.difference), "The difference of the " + term.term + " term in false colours"),
+            "difference" + (term.differenceLegend.empty() ? "" : "; " + term.differenceLegend));
     return html + "</div>\n" + sharesTable(term) + "</section>\n";
 }
 

@@ -66,10 +66,7 @@ Truth makeTruth(const ReferenceScene& scene, const TruthOptions& options, const 
         truth.standardErrors[layer] = result.standardError(layer);
     }
     truth.mask = withoutEdges(Mask::geometry(truth[Layer::BEAUTY]), truth[Layer::NORMAL], truth[Layer::DEPTH]);
-    truth.deferred = truth.mask;
-    for (int y = 0; y < truth.mask.height; ++y)
-        for (int x = 0; x < truth.mask.width; ++x)
-            if (truth[Layer::BLENDED].at(x, y)[0] > 0.0f) truth.deferred.set(x, y, false);
+    truth.deferred = truth.mask & Mask::unmarked(truth[Layer::BLENDED]);
     truth.exposure = osgEnvLight::automaticExposure(truth[Layer::BEAUTY], truth.mask);
     truth.statement = statementOf(result, options);
     return truth;

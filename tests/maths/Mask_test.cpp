@@ -61,6 +61,17 @@ TEST(Mask, GeometryAndBoth)
     EXPECT_THROW(withoutEdges(geometry, Picture(1, 1), p), std::invalid_argument);
 }
 
+TEST(Mask, Unmarked)
+{
+    Picture marks(3, 1);
+    marks.at(1, 0)[0] = 0.25f;
+    marks.at(2, 0)[1] = 1.0f;  // not red
+    const Mask mask = Mask::unmarked(marks);
+    EXPECT_TRUE(mask.at(0, 0));
+    EXPECT_FALSE(mask.at(1, 0));
+    EXPECT_TRUE(mask.at(2, 0));
+}
+
 TEST(Mask, CoverageEdge)
 {
     Picture p = facing();

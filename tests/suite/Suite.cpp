@@ -92,10 +92,8 @@ Truth truthOf(osgEnvLight::LitScene& lit, osgViewer::Viewer& viewer)
     hash.options(referenceOptions());
 
     const ReferenceCache::Pictures p = ReferenceCache(cacheFolder).get(hash.get(), [&] {
-        const double toMiddle = (lit.getBound().center() - camera.getInverseViewMatrix().getTrans()).length();
-        const osgEnvLight::RayCamera rays(camera.getViewMatrix(), camera.getProjectionMatrix(), width, height,
-                                          2.0 * (double(lit.getBound().radius()) + toMiddle));
-        return trace(triangles, rays, osgEnvLight::MapEnvironment(*radiance, map.getRotation(), map.getIntensity()));
+        return trace(triangles, osgEnvLight::RayCamera(camera, lit.getBound()),
+                     osgEnvLight::MapEnvironment(*radiance, map.getRotation(), map.getIntensity()));
     });
     return {{p[0], p[1]}, {p[2], p[3]}, {p[4], p[5]}, {p[6], p[7]}, p[8], p[9], p[10]};
 }
@@ -138,7 +136,8 @@ class Measurement
         r.reference = _truth.beauty.mean;
         const Mask both = Mask::geometry(r.picture) & Mask::geometry(r.reference);
         r.inside = osgEnvLight::withoutEdges(both, surface(), _truth.depth);
-        _deferred = opaque(r.inside);
+        // The terms are those of what the passes light: transparent surfaces are drawn afterwards.
+        _deferred = r.inside & Mask::unmarked(_truth.blended);
         r.stops = osgEnvLight::automaticExposure(r.reference, both);
         const ErrorFigures e = errorOf(r.picture, r.inside);
         r.figures[REL_MSE] = e.relMse;
@@ -160,16 +159,6 @@ class Measurement
         Picture p = _truth.normal;
         for (size_t i = 0; i < p.pixels(); ++i) p.rgba[4 * i + 3] = _truth.beauty.mean.rgba[4 * i + 3];
         return p;
-    }
-
-    // The terms are those of what the passes light: transparent surfaces are drawn afterwards.
-    Mask opaque(const Mask& mask) const
-    {
-        Mask result = mask;
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x)
-                if (_truth.blended.at(x, y)[0] > 0.0f) result.set(x, y, false);
-        return result;
     }
 
     ErrorFigures errorOf(const Picture& picture, const Mask& mask) const

@@ -23,22 +23,10 @@ namespace
 
 const int gap = 4;
 
-osg::ref_ptr<osg::Image> whiteImage(int w, int h)
-{
-    osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->allocateImage(w, h, 1, GL_RGB, GL_UNSIGNED_BYTE, 1);
-    std::fill_n(image->data(), image->getTotalSizeInBytes(), static_cast<unsigned char>(255));
-    return image;
-}
-
 // x, y of the lower left corner.
-void paste(const Picture& encoded, int x, int y, osg::Image& sheet)
+void paste(const Picture& encoded, int x, int y, Picture& sheet)
 {
-    for (int j = 0; j < encoded.height; ++j)
-        for (int i = 0; i < encoded.width; ++i)
-            for (int k = 0; k < 3; ++k)
-                sheet.data(unsigned(x + i), unsigned(y + j))[k] =
-                    static_cast<unsigned char>(std::lround(255.0f * std::clamp(encoded.at(i, j)[k], 0.0f, 1.0f)));
+    for (int j = 0; j < encoded.height; ++j) std::copy_n(encoded.at(0, j), 4 * encoded.width, sheet.at(x, y + j));
 }
 
 // A line for each scene, and one more for each of its variations.
@@ -63,19 +51,20 @@ void writeContactSheet(const std::string& fileName)
     for (const auto& line : all) columns = std::max(columns, line.size());
     const int stepX = 3 * width + 2 * gap;
     const int stepY = height + gap;
-    const osg::ref_ptr<osg::Image> sheet = whiteImage(int(columns) * stepX, int(all.size()) * stepY);
+    Picture sheet(int(columns) * stepX, int(all.size()) * stepY);
+    std::fill(sheet.rgba.begin(), sheet.rgba.end(), 1.0f);
     for (size_t line = 0; line < all.size(); ++line)
         for (size_t column = 0; column < all[line].size(); ++column) {
             const Result& r = result(*all[line][column]);
             if (!r.installed) continue;
             const int x = int(column) * stepX;
             const int y = int(all.size() - 1 - line) * stepY;
-            paste(osgEnvLight::displayEncoded(r.picture, r.stops), x, y, *sheet);
-            paste(osgEnvLight::displayEncoded(r.reference, r.stops), x + width, y, *sheet);
+            paste(osgEnvLight::displayEncoded(r.picture, r.stops), x, y, sheet);
+            paste(osgEnvLight::displayEncoded(r.reference, r.stops), x + width, y, sheet);
             // The darkest colours from a quarter of the display's white.
-            paste(osgEnvLight::signedDifference(r.picture, r.reference, 0.25 * std::exp2(-r.stops)), x + 2 * width, y, *sheet);
+            paste(osgEnvLight::signedDifference(r.picture, r.reference, 0.25 * std::exp2(-r.stops)), x + 2 * width, y, sheet);
         }
-    writeImageFile(*sheet, fileName);
+    writeImageFile(*osgEnvLight::eightBit(sheet), fileName);
 }
 
 void writeTable(const std::string& fileName)
