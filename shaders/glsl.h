@@ -83,6 +83,7 @@ inline vec4 textureLod(const sampler2D& s, vec2 st, double)
 
 // Confined to these lines, after every standard header: GLSL's float is the oracle's double.
 #define float double
+#include "lib/atlas.glsl"
 #include "lib/bilateral.glsl"
 #include "lib/constants.glsl"
 #include "lib/depth.glsl"

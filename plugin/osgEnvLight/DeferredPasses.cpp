@@ -75,18 +75,20 @@ osg::Texture* DeferredTechnique::albedoTable()
 
 void DeferredTechnique::prepare(FullScreen& triangle, const osg::StateSet& state, const Cull& c) const
 {
-    triangle.textureUnits = state.getNumTextureAttributeLists();
+    triangle.textureUnits = std::max(state.getNumTextureAttributeLists(), c.view.plan.atlas ? Frame::atlasLightUnit + 1 : 0u);
     triangle.mapFromWorld = c.mapFromWorld;
+    if (c.view.atlas()) triangle.atlasOrigin = c.view.atlas()->origin();
     triangle.timed = c.timed;
 }
 
-void DeferredTechnique::addPass(Cull& c, osgUtil::CullVisitor& cv, const std::string& name, Target& target, osg::StateSet& state)
+void DeferredTechnique::addPass(Cull& c, osgUtil::CullVisitor& cv, const std::string& name, Target& target, osg::StateSet& state,
+                                osg::StateSet* frameState)
 {
     osg::ref_ptr<Pass>& pass = c.frame.passes[name];
-    if (!pass) pass = new Pass(name, &c.view.timer(name));
-    prepare(pass->triangle(), state, c);
-    pass->add(c.host, *target.camera, *c.view.viewport(), state, *c.frame.uniforms, cv.getProjectionMatrix(),
-              cv.getModelViewMatrix());
+    if (!pass) pass = new Pass(new FullScreen(name, &c.view.timer(name)));
+    prepare(static_cast<FullScreen&>(pass->drawable()), state, c);
+    pass->add(c.host, *target.camera, *c.view.viewport(), state, frameState ? *frameState : *c.frame.uniforms,
+              cv.getProjectionMatrix(), cv.getModelViewMatrix());
 }
 
 void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
@@ -134,16 +136,28 @@ void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
         if (plan.suns) addSuns(state, textures);
         addPass(c, cv, "specular", *specular, state);
     }
-    if (sums) {
-        PassInputs in;
+    if (sums) addOcclusion(c, cv, *sums, *filtered);
+}
+
+void DeferredTechnique::addOcclusion(Cull& c, osgUtil::CullVisitor& cv, Target& sums, Target& filtered)
+{
+    const Plan& plan = c.view.plan;
+    MapTextures& textures = c.view.textures();
+    PassInputs in;
+    osg::StateSet* frameState = nullptr;
+    if (plan.atlas) {
+        in.defines.push_back("HAS_ATLAS");
+        in.samplers = {{"atlasMap", c.view.atlas()->texture()}};
+        frameState = &c.frame.atlasState(*c.view.atlas(), 1.0 / textures.map().mean);
+    } else {
         in.lights = plan.occlusionLights;
         in.samplers = {{"occlusionLightMap", textures.occlusionLights(plan.occlusionLights)}};
-        addPass(c, cv, "occlusion", *sums, passState(c, "occlusion", in));
-        PassInputs filter;
-        if (c.settings.combine == Settings::SUBTRACT) filter.defines.push_back("COMBINE_SUBTRACT");
-        filter.samplers = {{"numMap", sums->textures[0].get()}, {"denMap", sums->textures[1].get()}};
-        addPass(c, cv, "filter", *filtered, passState(c, "filter", filter));
     }
+    addPass(c, cv, "occlusion", sums, passState(c, "occlusion", in), frameState);
+    PassInputs filter;
+    if (c.settings.combine == Settings::SUBTRACT) filter.defines.push_back("COMBINE_SUBTRACT");
+    filter.samplers = {{"numMap", sums.textures[0].get()}, {"denMap", sums.textures[1].get()}};
+    addPass(c, cv, "filter", filtered, passState(c, "filter", filter));
 }
 
 DeferredTechnique::PassInputs DeferredTechnique::compositeInputs(Cull& c)

@@ -62,14 +62,15 @@ try {
         return false;
     }
     const double degrees = node.getEnvironmentMap()->getRotation();
+    const double radianceScale = textures->map().mean * node.getEnvironmentMap()->getIntensity();
     Cull c{vd,
            vd.frame(&cv),
            *host,
            *settings,
            gbuffer,
            osg::Matrixd::rotate(osg::DegreesToRadians(-degrees), 0, 0, 1),
+           radianceScale,
            node.getTimed()};
-    const double radianceScale = textures->map().mean * node.getEnvironmentMap()->getIntensity();
     const double radius = node.getBound().valid() ? double(node.getBound().radius()) : 0.0;
     const osg::Matrixd worldFromEye =
         host->getInitialViewMatrix() ? osg::Matrixd::inverse(*host->getInitialViewMatrix()) : osg::Matrixd();
@@ -80,10 +81,14 @@ try {
     std::vector<ForwardGraph> forward;
     fillGBuffer(c, node, cv, forward);
 
-    lock.lock();
     const bool needed = settings->diffuse && radianceScale > 0.0 && vd.plan.surfaces.deferred > 0;
+    if (needed && Plan::wantsAtlas(*settings)) c.casters = CasterCollector(cv, worldFromEye, vd.casterStates).collect(node);
+
+    lock.lock();
     const DiffuseCarrier carrier = needed ? textures->carrier() : DiffuseCarrier();
-    vd.plan = Plan::make(*settings, vd.plan.surfaces, radianceScale <= 0.0, radius, carrier, textures->sunShare());
+    vd.plan = Plan::make(*settings, vd.plan.surfaces, radianceScale <= 0.0, radius, carrier, textures->sunShare(),
+                         {c.casters.size(), trianglesOf(c.casters)});
+    addAtlas(c, cv);
     addPasses(c, cv);
     addComposite(c, cv);
     for (const ForwardGraph& f : forward) f.bin->addStateGraph(f.graph);

@@ -38,7 +38,7 @@ MapTextures::MapTextures(const RadianceMap* map, const Continuation& former) : M
         harmonics();  // what a change of the carrier may ask for
     }
     if (former.diffuseLights || _carrier.lights) diffuseLights();
-    if (former.occlusionLights) occlusionLights(former.occlusionLights);
+    if (former.occlusionLights) occlusionList(former.occlusionLights);
     sunUniforms();
 }
 
@@ -51,10 +51,9 @@ void MapTextures::settle()
         _diffuseLights = nullptr;
         diffuseLights();
     }
-    if (_occlusionLights) {
+    if (_occlusionMade) {
         _occlusion.settle(listed(), _occlusion.count(), _options);
         _occlusionLights = nullptr;
-        occlusionLights(_occlusion.count());
     }
 }
 
@@ -67,7 +66,7 @@ MapTextures::Continuation MapTextures::continuation(bool goesOn) const
     c.harmonics = _harmonics.valid();
     c.chosen = _carrierMade;
     c.diffuseLights = _diffuseLights.valid();
-    c.occlusionLights = _occlusionLights ? _occlusion.count() : 0;
+    c.occlusionLights = _occlusionMade ? _occlusion.count() : 0;
     c.grid = _grid;
     if (!goesOn) return c;
     c.suns = _split.residual ? _split.suns : _formerSuns;
@@ -233,13 +232,19 @@ osg::Texture2D* MapTextures::diffuseLights()
     return _diffuseLights.get();
 }
 
-osg::Texture2D* MapTextures::occlusionLights(unsigned count)
+const LightList& MapTextures::occlusionList(unsigned count)
 {
     if (!_occlusionMade || _occlusion.count() != count) {
         _occlusion.next(listed(), count, _options);
         _occlusionMade = true;
         _occlusionLights = nullptr;
     }
+    return _occlusion.lights();
+}
+
+osg::Texture2D* MapTextures::occlusionLights(unsigned count)
+{
+    occlusionList(count);
     if (!_occlusionLights) _occlusionLights = lightTexture(_occlusion.lights(), 16, _scale);
     return _occlusionLights.get();
 }

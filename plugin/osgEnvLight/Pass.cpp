@@ -47,20 +47,32 @@ class Uploader
     const osg::GLExtensions& _ext;
 };
 
-}  // namespace
-
-FullScreen::FullScreen(const std::string& name, GpuTimer* timer) : _timer(timer)
+void makeFullScreen(osg::Geometry& geometry)
 {
-    setName(name);
     osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
     vertices->push_back(osg::Vec3(-1, -1, 0));
     vertices->push_back(osg::Vec3(3, -1, 0));
     vertices->push_back(osg::Vec3(-1, 3, 0));
-    setVertexArray(vertices.get());
-    addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, 3));
-    setUseDisplayList(false);
-    setUseVertexBufferObjects(true);
-    setCullingActive(false);
+    geometry.setVertexArray(vertices.get());
+    geometry.addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, 3));
+    geometry.setUseDisplayList(false);
+    geometry.setUseVertexBufferObjects(true);
+    geometry.setCullingActive(false);
+}
+
+}  // namespace
+
+osg::ref_ptr<osg::Geometry> makeFullScreenTriangle()
+{
+    osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+    makeFullScreen(*geometry);
+    return geometry;
+}
+
+FullScreen::FullScreen(const std::string& name, GpuTimer* timer) : _timer(timer)
+{
+    setName(name);
+    makeFullScreen(*this);
 }
 
 void FullScreen::drawImplementation(osg::RenderInfo& renderInfo) const
@@ -75,6 +87,7 @@ void FullScreen::drawImplementation(osg::RenderInfo& renderInfo) const
     upload.matrix4("projection", projection);
     upload.matrix4("inverseProjection", osg::Matrixd::inverse(projection));
     upload.matrix3("mapFromEye", eyeToWorld * mapFromWorld);
+    upload.matrix4("atlasFromEye", eyeToWorld * osg::Matrixd::translate(-atlasOrigin));
     upload.vec2("viewportSize", viewport->width(), viewport->height());
     upload.vec2("viewportOrigin", viewport->x(), viewport->y());
     if (timed) _timer->begin(state);
@@ -103,7 +116,7 @@ void prepareStage(osgUtil::RenderStage& stage, osgUtil::RenderStage& host, osg::
     stage.setInitialViewMatrix(host.getInitialViewMatrix());
 }
 
-Pass::Pass(const std::string& name, GpuTimer* timer) : _stage(new PassStage), _triangle(new FullScreen(name, timer))
+Pass::Pass(osg::Drawable* drawable) : _stage(new PassStage), _drawable(drawable)
 {
     _stage->root = new osgUtil::StateGraph;
     _stage->setStateGraph(_stage->root.get());
@@ -116,9 +129,9 @@ void Pass::add(osgUtil::RenderStage& host, osg::Camera& camera, osg::Viewport& v
     _stage->root->clean();
     osgUtil::StateGraph* graph = _stage->root->find_or_insert(&state)->find_or_insert(&uniforms);
     if (!_stage->leaf)
-        _stage->leaf = new osgUtil::RenderLeaf(_triangle.get(), projection, modelView);
+        _stage->leaf = new osgUtil::RenderLeaf(_drawable.get(), projection, modelView);
     else
-        _stage->leaf->set(_triangle.get(), projection, modelView);
+        _stage->leaf->set(_drawable.get(), projection, modelView);
     _stage->addStateGraph(graph);
     graph->addLeaf(_stage->leaf.get());
     host.addPreRenderStage(_stage.get(), 0);  // equal numbers keep the order of insertion

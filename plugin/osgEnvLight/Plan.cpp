@@ -31,10 +31,17 @@ std::string count(unsigned n, const char* what)
     return std::to_string(n) + " " + what;
 }
 
+const unsigned mostAtlasLights = 1024;
+
 }  // namespace
 
+bool Plan::wantsAtlas(const Settings& s)
+{
+    return s.diffuse && s.occlusion && (s.visibility == Settings::VISIBILITY_AUTO || s.visibility == Settings::VISIBILITY_ATLAS);
+}
+
 Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack, double sceneRadius,
-                const DiffuseCarrier& carrier, const SunShare& suns)
+                const DiffuseCarrier& carrier, const SunShare& suns, const ShadowCasters& casters)
 {
     Plan plan;
     plan.surfaces = surfaces;
@@ -71,20 +78,33 @@ Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack
 
     Decision occlusion;
     occlusion.unless(!s.occlusion, "switched off").unless(!diffuse.runs, "there is no diffuse term to occlude");
-    occlusion.unless(s.occlusionRadius <= 0.0f, "occlusionRadius is 0").unless(!(sceneRadius > 0.0), "the scene has no extent");
+    occlusion.unless(s.visibility == Settings::VISIBILITY_NONE, "visibility is none");
+    occlusion.unless(!(sceneRadius > 0.0), "the scene has no extent");
+
+    Decision atlas = occlusion;
+    atlas.unless(s.visibility == Settings::VISIBILITY_SCREEN, "visibility is screen");
+    atlas.unless(casters.drawables == 0, "nothing casts shadows");
+    atlas.unless(carrier.given && carrier.lights > mostAtlasLights, "the application's list has more than 1024 lights");
+    plan.atlas = atlas.runs;
+    occlusion.unless(!atlas.runs && s.visibility == Settings::VISIBILITY_ATLAS, "there is no atlas to ask");
+    occlusion.unless(!atlas.runs && s.occlusionRadius <= 0.0f, "occlusionRadius is 0");
     plan.occlusion = occlusion.runs;
     if (occlusion.runs) {
-        const unsigned asked = carrier.given ? carrier.lights : unsigned(s.occlusionLights);
+        const unsigned asked = carrier.given ? carrier.lights : unsigned(atlas.runs ? s.atlasLights : s.occlusionLights);
         plan.occlusionLights = (asked + 15) / 16 * 16;
-        occlusion.reason = count(plan.occlusionLights, "lights, ") + count(plan.occlusionLights / 16, "a pixel, ") +
-                           count(unsigned(s.occlusionSteps), "points a ray");
+        occlusion.reason = count(plan.occlusionLights, "lights, ") + count(plan.occlusionLights / 16, "a pixel, ");
+        occlusion.reason += atlas.runs ? "each asking its shadow map" : count(unsigned(s.occlusionSteps), "points a ray");
         if (plan.occlusionLights != asked) occlusion.reason += " (rounded up to a multiple of 16)";
     }
+    if (atlas.runs)
+        atlas.reason = count(plan.occlusionLights, "maps of ") + std::to_string(s.atlasSize) + " x " +
+                       std::to_string(s.atlasSize) + " of " + std::to_string(casters.drawables) + " drawables";
 
     plan.reasons = {{"gbuffer", true, count(surfaces.deferred, "drawables, ") + count(surfaces.forward, "drawn forward")},
                     {"suns", sun.runs, sun.reason},
                     {"diffuse", diffuse.runs, diffuse.reason},
                     {"specular", specular.runs, specular.reason},
+                    {"atlas", atlas.runs, atlas.reason},
                     {"occlusion", occlusion.runs, occlusion.reason},
                     {"filter", occlusion.runs, occlusion.runs ? "averages the 16 groups of lights" : occlusion.reason},
                     {"composite", true, "into the host's colour and depth"}};

@@ -100,10 +100,15 @@ bool SurfaceState::translucent() const
     return osgMaterial() && osgMaterial()->getDiffuse(osg::Material::FRONT).a() < 1.0f;
 }
 
-bool SurfaceState::drawnForward() const
+bool SurfaceState::depthWritten() const
 {
     const auto* depth = static_cast<const osg::Depth*>(_depth.attribute);
-    return _ownProgram || !_depthTest.on || (depth && !depth->getWriteMask()) || blended();
+    return !depth || depth->getWriteMask();
+}
+
+bool SurfaceState::drawnForward() const
+{
+    return _ownProgram || !depthTested() || !depthWritten() || blended();
 }
 
 }  // namespace osgEnvLight

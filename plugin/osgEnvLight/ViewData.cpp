@@ -57,6 +57,24 @@ void Frame::setUniforms(const Settings& settings, double sceneRadius, double rad
     _orthographic->set(orthographic ? 1 : 0);
 }
 
+osg::StateSet& Frame::atlasState(const ShadowAtlas& atlas, double scale)
+{
+    if (!_atlasState) {
+        _atlasState = new osg::StateSet(*uniforms);
+        _atlasState->addUniform(new osg::Uniform("atlasLightMap", int(atlasLightUnit)));
+    }
+    if (_atlas != &atlas || _atlasVersion != atlas.version() || _atlasScale != scale) {
+        const osg::ref_ptr<osg::Image> image = atlas.lightImage(scale);
+        osg::ref_ptr<osg::Texture2D> texture = targetTexture(image->s(), image->t(), GL_RGBA32F_ARB);
+        texture->setImage(image);
+        _atlasState->setTextureAttribute(atlasLightUnit, texture);
+        _atlas = &atlas;
+        _atlasVersion = atlas.version();
+        _atlasScale = scale;
+    }
+    return *_atlasState;
+}
+
 void ViewData::fit(int width, int height, MapTextures* textures)
 {
     const bool sizeChanged = width != _width || height != _height;
@@ -88,6 +106,17 @@ Target& ViewData::target(const std::string& pass, const std::vector<GLint>& form
     return *target;
 }
 
+ShadowAtlas& ViewData::atlas(unsigned lights, unsigned size)
+{
+    if (!_atlas || _atlas->lights != lights || _atlas->size != size) {
+        _atlas = new ShadowAtlas(lights, size);
+        _atlasCamera = new StageCamera;
+        BindTargets::install(*_atlasCamera, _atlas->target(), nullptr, _failure.get());
+        _states.clear();  // those that read the former one
+    }
+    return *_atlas;
+}
+
 ViewData::State ViewData::state(const std::string& key)
 {
     osg::ref_ptr<osg::StateSet>& stateSet = _states[key];
@@ -114,6 +143,7 @@ void ViewData::resizeGLObjectBuffers(unsigned maximum)
 {
     if (_gbuffer) _gbuffer->resizeGLObjectBuffers(maximum);
     if (_textures) _textures->resizeGLObjectBuffers(maximum);
+    if (_atlas) _atlas->resizeGLObjectBuffers(maximum);
     for (auto& [name, target] : _targets) {
         for (auto& t : target->textures) t->resizeGLObjectBuffers(maximum);
         target->frameBuffer->resizeGLObjectBuffers(maximum);
@@ -121,7 +151,7 @@ void ViewData::resizeGLObjectBuffers(unsigned maximum)
     for (auto& [key, stateSet] : _states) stateSet->resizeGLObjectBuffers(maximum);
     for (auto& [cullVisitor, frame] : _frames) {
         if (frame->composite) frame->composite->resizeGLObjectBuffers(maximum);
-        for (auto& [name, pass] : frame->passes) pass->triangle().resizeGLObjectBuffers(maximum);
+        for (auto& [name, pass] : frame->passes) pass->drawable().resizeGLObjectBuffers(maximum);
     }
 }
 
@@ -129,6 +159,7 @@ void ViewData::releaseGLObjects(osg::State* state) const
 {
     if (_gbuffer) _gbuffer->releaseGLObjects(state);
     if (_textures) _textures->releaseGLObjects(state);
+    if (_atlas) _atlas->releaseGLObjects(state);
     for (const auto& [name, target] : _targets) {
         for (const auto& t : target->textures) t->releaseGLObjects(state);
         target->frameBuffer->releaseGLObjects(state);
@@ -136,14 +167,14 @@ void ViewData::releaseGLObjects(osg::State* state) const
     for (const auto& [key, stateSet] : _states) stateSet->releaseGLObjects(state);
     for (const auto& [cullVisitor, frame] : _frames) {
         if (frame->composite) frame->composite->releaseGLObjects(state);
-        for (const auto& [name, pass] : frame->passes) pass->triangle().releaseGLObjects(state);
+        for (const auto& [name, pass] : frame->passes) pass->drawable().releaseGLObjects(state);
     }
 }
 
 size_t ViewData::bytes() const
 {
     const size_t pixels = size_t(_width) * size_t(_height);
-    size_t sum = _gbuffer ? 36 * pixels : 0;
+    size_t sum = (_gbuffer ? 36 * pixels : 0) + (_atlas ? _atlas->bytes() : 0);
     for (const auto& [name, target] : _targets)
         for (const auto& t : target->textures) sum += pixels * (t->getInternalFormat() == GL_RGBA32F_ARB ? 16 : 8);
     return sum;

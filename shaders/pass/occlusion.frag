@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: MIT
 // O, first half: each pixel of a 4x4 cell takes its own group of the map's lights [seed 000, 3.2, fig. 3] and sums
 // flux cos over the lights it sees (num) and over all of them (den). Their filtered ratio is the visibility of D.
+#pragma import_defines(HAS_ATLAS)
 
 #include "lib/sequence.glsl"
 #include "lib/visibility.glsl"
 #include "pass/gbuffer.glsl"
+#ifdef HAS_ATLAS
+#include "pass/atlas.glsl"
+#endif
 
 uniform sampler2D occlusionLightMap; // rows 2q, 2q + 1: directions and flux of group q
 uniform int occlusionSteps;
@@ -16,13 +20,25 @@ uniform float sceneRadius;
 layout(location = 0) out vec4 num;
 layout(location = 1) out vec4 den;
 
-void main()
+#ifdef HAS_ATLAS
+void sumLights(ivec2 pixel, int group)
 {
-    ivec2 p = ivec2(gl_FragCoord.xy);
-    num = vec4(0.0);
-    den = vec4(0.0);
-    if (isBackground(p)) return;
-
+    // In the world about the atlas's origin
+    vec3 p = vec3(atlasFromEye * vec4(pixelEye(pixel), 1.0));
+    vec3 n = mat3(atlasFromEye) * pixelNormal(pixel);
+    int count = textureSize(atlasLightMap, 0).x;
+    for (int i = 0; i < count; ++i) {
+        AtlasLight light = atlasLight(group, i);
+        float c = dot(n, light.direction);
+        if (c <= 0.0) continue;
+        vec3 e = c * light.flux;
+        den.rgb += e;
+        num.rgb += e * atlasSees(light, p, n, c);
+    }
+}
+#else
+RayMarch rayMarch(ivec2 p, vec3 n)
+{
     RayMarch march;
     march.projection = projection;
     march.inverseProjection = inverseProjection;
@@ -30,19 +46,21 @@ void main()
     march.radius = occlusionRadius * sceneRadius;
     march.thickness = occlusionThickness * march.radius;
     march.steps = occlusionSteps;
-
-    vec3 n = pixelNormal(p);
     float depth = texelFetch(depthMap, p, 0).r;
     vec2 ndc = pixelNdc(p);
     vec3 eye = eyeFromDepth(inverseProjection, ndc, depth);
     // The lift above the receiver's plane: a tenth of a pixel, and twice the step of a 24-bit depth buffer.
     float quantum = abs(eyeFromDepth(inverseProjection, ndc, depth - 1.2e-7).z - eye.z);
     float bias = 0.1 * pixelFootprint(inverseProjection, ndc, depth, viewportSize) + quantum;
-    march = rayMarchFrom(march, eye, n, bias);
+    return rayMarchFrom(march, eye, n, bias);
+}
 
+void sumLights(ivec2 p, int group)
+{
+    vec3 n = pixelNormal(p);
+    RayMarch march = rayMarch(p, n);
     mat3 eyeFromMap = transpose(mapFromEye);
     vec3 mapNormal = mapFromEye * n;
-    int group = bayer4(p.x, p.y);
     int count = textureSize(occlusionLightMap, 0).x;
     for (int i = 0; i < count; ++i) {
         vec3 l = texelFetch(occlusionLightMap, ivec2(i, 2 * group), 0).xyz;
@@ -54,5 +72,15 @@ void main()
         den.rgb += e;
         if (rayBlocked(depthMap, march, eyeFromMap * l, phase) < 0.5) num.rgb += e;
     }
+}
+#endif
+
+void main()
+{
+    ivec2 p = ivec2(gl_FragCoord.xy);
+    num = vec4(0.0);
+    den = vec4(0.0);
+    if (isBackground(p)) return;
+    sumLights(p, bayer4(p.x, p.y));
     den.a = 1.0;
 }

@@ -19,6 +19,7 @@ double groundVisibility(SceneRenderer& renderer, double a, int steps)
     lit->addChild(makeBox(osg::Vec3d(-30, 0, 0), osg::Vec3d(30, 4, 1)));
     Settings& s = *lit->getSettings();
     s.view = Settings::VISIBILITY;
+    s.visibility = Settings::VISIBILITY_SCREEN;
     s.occlusionLights = 1024;
     s.occlusionSteps = steps;
     s.occlusionRadius = float(4.0 / lit->getBound().radius());  // systems.md E2: rmax 4, thick

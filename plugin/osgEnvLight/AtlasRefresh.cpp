@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include <osgEnvLight/AtlasRefresh>
+
+#include <osgEnvLight/Pass>
+
+#include <osg/GLExtensions>
+#include <osg/Program>
+
+#include <algorithm>
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+void setUniform(osg::State& state, const char* name, int x, int y)
+{
+    const osg::Program::PerContextProgram* program = state.getLastAppliedProgramObject();
+    const GLint location = program ? program->getUniformLocation(name) : -1;
+    if (location >= 0) state.get<osg::GLExtensions>()->glUniform2i(location, x, y);
+}
+
+void bindTarget(osg::State& state, osg::FrameBufferObject& target)
+{
+    target.apply(state);
+    // At its first use apply() creates the textures, bound to the active unit behind State's back.
+    state.haveAppliedTextureAttribute(state.getActiveTextureUnit(), osg::StateAttribute::TEXTURE);
+}
+
+}  // namespace
+
+AtlasRefresh::AtlasRefresh(GpuTimer* timer) : _timer(timer), _triangle(makeFullScreenTriangle())
+{
+    setName("atlas");
+    setUseDisplayList(false);
+    setSupportsDisplayList(false);
+    setCullingActive(false);
+}
+
+void AtlasRefresh::prepare(ShadowAtlas& atlas, const std::vector<ShadowAtlas::Refresh>& refreshes, std::vector<Caster>&& casters,
+                           const States& states, bool timed)
+{
+    _atlas = &atlas;
+    _states = states;
+    _timed = timed;
+    _maps.clear();
+    for (const ShadowAtlas::Refresh& r : refreshes) _maps.push_back({r.map, new osg::RefMatrix(r.projection)});
+    std::stable_sort(casters.begin(), casters.end(), [](const Caster& a, const Caster& b) { return a.state < b.state; });
+    _casters.clear();
+    const osg::Matrixd toOrigin = osg::Matrixd::translate(-atlas.origin());
+    bool dynamic = false;
+    for (const Caster& caster : casters) {
+        _casters.push_back({caster.geometry, new osg::RefMatrix(caster.worldFromModel * toOrigin), caster.state});
+        dynamic = dynamic || caster.geometry->getDataVariance() == osg::Object::DYNAMIC;
+    }
+    // The draw of what changes must be over before the next update: OSG counts this drawable instead of the casters.
+    setDataVariance(dynamic ? osg::Object::DYNAMIC : osg::Object::STATIC);
+}
+
+void AtlasRefresh::drawImplementation(osg::RenderInfo& renderInfo) const
+{
+    osg::State& state = *renderInfo.getState();
+    if (_timed) _timer->begin(state);
+    for (size_t begin = 0; begin < _maps.size(); begin += ShadowAtlas::batch) {
+        const size_t end = std::min<size_t>(begin + ShadowAtlas::batch, _maps.size());
+        drawCasters(renderInfo, *_atlas->firstTarget(), *_states.first, begin, end);
+        drawCasters(renderInfo, *_atlas->secondTarget(), *_states.second, begin, end);
+        storeMidpoints(renderInfo, begin, end);
+    }
+    if (_timed) _timer->end(state);
+    state.haveAppliedAttribute(osg::StateAttribute::VIEWPORT);
+    for (unsigned unit = 0; unit < 2; ++unit) state.haveAppliedTextureAttribute(unit, osg::StateAttribute::TEXTURE);
+}
+
+void AtlasRefresh::drawCasters(osg::RenderInfo& renderInfo, osg::FrameBufferObject& target, const osg::StateSet& stateSet,
+                               size_t begin, size_t end) const
+{
+    osg::State& state = *renderInfo.getState();
+    bindTarget(state, target);
+    state.pushStateSet(&stateSet);
+    state.apply();
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    for (size_t i = 0; i < _casters.size();) {
+        size_t next = i + 1;
+        while (next < _casters.size() && _casters[next].state == _casters[i].state) ++next;
+        if (_casters[i].state) state.pushStateSet(_casters[i].state.get());
+        state.apply();
+        drawRun(renderInfo, i, next, begin, end);
+        if (_casters[i].state) state.popStateSet();
+        i = next;
+    }
+    state.popStateSet();
+}
+
+void AtlasRefresh::drawRun(osg::RenderInfo& renderInfo, size_t caster, size_t casterEnd, size_t begin, size_t end) const
+{
+    osg::State& state = *renderInfo.getState();
+    if (!state.getLastAppliedProgramObject()) return;  // it has reported why
+    const GLsizei size = GLsizei(_atlas->size);
+    for (size_t k = begin; k < end; ++k) {
+        glViewport(GLint(k - begin) * size, 0, size, size);
+        setUniform(state, "atlasMapIndex", int(_maps[k].index), 0);
+        state.applyProjectionMatrix(_maps[k].projection.get());
+        for (size_t i = caster; i < casterEnd; ++i) {
+            state.applyModelViewMatrix(_casters[i].modelView.get());
+            if (state.getUseModelViewAndProjectionUniforms()) state.applyModelViewAndProjectionUniformsIfRequired();
+            _casters[i].geometry->draw(renderInfo);
+        }
+    }
+}
+
+void AtlasRefresh::storeMidpoints(osg::RenderInfo& renderInfo, size_t begin, size_t end) const
+{
+    osg::State& state = *renderInfo.getState();
+    bindTarget(state, *_atlas->target());
+    state.pushStateSet(_states.midpoints.get());
+    state.apply();
+    const int size = int(_atlas->size);
+    for (size_t k = begin; state.getLastAppliedProgramObject() && k < end; ++k) {
+        const int x = int(_maps[k].index % _atlas->columns()) * size;
+        const int y = int(_maps[k].index / _atlas->columns()) * size;
+        glViewport(x, y, size, size);
+        setUniform(state, "batchFromAtlas", int(k - begin) * size - x, -y);
+        _triangle->draw(renderInfo);
+    }
+    state.popStateSet();
+}
+
+void AtlasRefresh::resizeGLObjectBuffers(unsigned maximum)
+{
+    osg::Drawable::resizeGLObjectBuffers(maximum);
+    _triangle->resizeGLObjectBuffers(maximum);
+}
+
+void AtlasRefresh::releaseGLObjects(osg::State* state) const
+{
+    osg::Drawable::releaseGLObjects(state);
+    _triangle->releaseGLObjects(state);
+}
+
+}  // namespace osgEnvLight

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include <osgEnvLight/CasterCollector>
+
+#include <osg/Billboard>
+#include <osg/Camera>
+#include <osg/Projection>
+#include <osgUtil/CullVisitor>
+
+#include <cmath>
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+bool hasSurfaces(const osg::Geometry& geometry)
+{
+    for (unsigned i = 0; i < geometry.getNumPrimitiveSets(); ++i) {
+        const GLenum mode = geometry.getPrimitiveSet(i)->getMode();
+        if (mode != GL_POINTS && mode != GL_LINES && mode != GL_LINE_STRIP && mode != GL_LINE_LOOP) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+CasterCollector::CasterCollector(osgUtil::CullVisitor& cv, const osg::Matrixd& worldFromEye, StateSets& stateSets)
+    : osg::NodeVisitor(osg::NodeVisitor::NODE_VISITOR, osg::NodeVisitor::TRAVERSE_ACTIVE_CHILDREN),
+      _worldFromEye(worldFromEye),
+      _stateSets(stateSets),
+      _states(1)
+{
+    setTraversalMask(cv.getTraversalMask());
+    setNodeMaskOverride(cv.getNodeMaskOverride());
+    setFrameStamp(const_cast<osg::FrameStamp*>(cv.getFrameStamp()));
+    setTraversalNumber(cv.getTraversalNumber());
+    setCullingMode(osg::CullSettings::NO_CULLING);
+    setLODScale(cv.getLODScale());
+    pushViewport(cv.getViewport());
+    pushProjectionMatrix(cv.getProjectionMatrix());
+    pushModelViewMatrix(cv.getModelViewMatrix(), osg::Transform::ABSOLUTE_RF);
+}
+
+std::vector<Caster> CasterCollector::collect(osg::Group& group)
+{
+    for (unsigned i = 0; i < group.getNumChildren(); ++i) group.getChild(i)->accept(*this);
+    return std::move(_casters);
+}
+
+float CasterCollector::getDistanceToEyePoint(const osg::Vec3& pos, bool withLODScale) const
+{
+    return (pos - getEyeLocal()).length() * (withLODScale ? getLODScale() : 1.0f);
+}
+
+float CasterCollector::getDistanceToViewPoint(const osg::Vec3& pos, bool withLODScale) const
+{
+    return (pos - getViewPointLocal()).length() * (withLODScale ? getLODScale() : 1.0f);
+}
+
+float CasterCollector::getDistanceFromEyePoint(const osg::Vec3& pos, bool withLODScale) const
+{
+    const osg::Matrixd& m = *const_cast<CasterCollector*>(this)->getModelViewMatrix();
+    const double z = double(pos.x()) * m(0, 2) + double(pos.y()) * m(1, 2) + double(pos.z()) * m(2, 2) + m(3, 2);
+    return float(-z) * (withLODScale ? getLODScale() : 1.0f);
+}
+
+void CasterCollector::traverseWith(const osg::StateSet* stateSet, osg::Node& node)
+{
+    if (stateSet) {
+        _states.push_back(_states.back());
+        _states.back().merge(*stateSet);
+    }
+    traverse(node);
+    if (stateSet) _states.pop_back();
+}
+
+void CasterCollector::apply(osg::Node& node)
+{
+    traverseWith(node.getStateSet(), node);
+}
+
+void CasterCollector::apply(osg::Transform& node)
+{
+    osg::ref_ptr<osg::RefMatrix> matrix = new osg::RefMatrix(*getModelViewMatrix());
+    node.computeLocalToWorldMatrix(*matrix, this);
+    pushModelViewMatrix(matrix.get(), node.getReferenceFrame());
+    traverseWith(node.getStateSet(), node);
+    popModelViewMatrix();
+}
+
+// As the view turns it.
+void CasterCollector::apply(osg::Billboard& node)
+{
+    const osg::Vec3 eye = getEyeLocal();
+    for (unsigned i = 0; i < node.getNumDrawables(); ++i) {
+        const osg::Geometry* geometry = node.getDrawable(i)->asGeometry();
+        if (!geometry) continue;
+        osg::Matrixd matrix(*getModelViewMatrix());
+        node.computeMatrix(matrix, eye, node.getPosition(i));
+        _states.push_back(_states.back());
+        for (const osg::StateSet* s : {static_cast<const osg::Node&>(node).getStateSet(), geometry->getStateSet()})
+            if (s) _states.back().merge(*s);
+        add(*geometry, matrix);
+        _states.pop_back();
+    }
+}
+
+void CasterCollector::apply(osg::Geometry& geometry)
+{
+    const osg::StateSet* stateSet = geometry.getStateSet();
+    if (stateSet) {
+        _states.push_back(_states.back());
+        _states.back().merge(*stateSet);
+    }
+    add(geometry, *getModelViewMatrix());
+    if (stateSet) _states.pop_back();
+}
+
+void CasterCollector::add(const osg::Geometry& geometry, const osg::Matrixd& eyeFromModel)
+{
+    const CasterState& state = _states.back();
+    if (!state.casts() || !hasSurfaces(geometry)) return;
+    Caster caster{&geometry, eyeFromModel * _worldFromEye, nullptr,
+                  geometry.getVertexArray() ? geometry.getVertexArray()->getModifiedCount() : 0};
+    if (state.perforated()) {
+        osg::ref_ptr<osg::StateSet>& shared = _stateSets[state.key()];
+        if (!shared) shared = state.makeStateSet();
+        caster.state = shared;
+    }
+    _casters.push_back(caster);
+}
+
+bool sameShadows(const std::vector<Caster>& a, const std::vector<Caster>& b, double slack)
+{
+    if (a.size() != b.size()) return false;
+    for (size_t i = 0; i < a.size(); ++i) {
+        if (a[i].geometry != b[i].geometry || a[i].state != b[i].state || a[i].shape != b[i].shape) return false;
+        const osg::BoundingBox& box = a[i].geometry->getBoundingBox();
+        if (!box.valid()) continue;
+        for (unsigned k = 0; k < 8; ++k) {
+            const osg::Vec3d corner = box.corner(k);
+            if ((corner * a[i].worldFromModel - corner * b[i].worldFromModel).length() > slack) return false;
+        }
+    }
+    return true;
+}
+
+osg::BoundingBoxd boundOf(const std::vector<Caster>& casters)
+{
+    osg::BoundingBoxd bound;
+    for (const Caster& caster : casters) {
+        const osg::BoundingBox& box = caster.geometry->getBoundingBox();
+        for (unsigned k = 0; box.valid() && k < 8; ++k) {
+            const osg::Vec3d p = osg::Vec3d(box.corner(k)) * caster.worldFromModel;
+            if (std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z())) bound.expandBy(p);
+        }
+    }
+    return bound;
+}
+
+size_t trianglesOf(const std::vector<Caster>& casters)
+{
+    size_t sum = 0;
+    for (const Caster& caster : casters)
+        for (unsigned i = 0; i < caster.geometry->getNumPrimitiveSets(); ++i) {
+            const osg::PrimitiveSet& set = *caster.geometry->getPrimitiveSet(i);
+            sum += set.getMode() == GL_TRIANGLES ? set.getNumIndices() / 3 : set.getNumIndices();
+        }
+    return sum;
+}
+
+}  // namespace osgEnvLight

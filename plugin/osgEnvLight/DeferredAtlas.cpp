@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// When the sky shadow atlas of a view is drawn, and with what.
+#include <osgEnvLight/DeferredTechnique>
+
+#include <osg/ColorMask>
+#include <osg/CullFace>
+#include <osg/Depth>
+#include <osgUtil/CullVisitor>
+#include <osgViewer/View>
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+const unsigned on = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
+
+// Where the first frame draws all maps at once instead of a few a frame: as many triangles as a frame of a large model has,
+// 256 maps of 40 000 drawn twice.
+const double firstFrameTriangles = 2e7;
+
+// Filled up with dark lights.
+LightList inWorld(const LightList& lights, const osg::Matrixd& mapFromWorld, unsigned count)
+{
+    const osg::Matrixd worldFromMap = osg::Matrixd::inverse(mapFromWorld);
+    LightList result = lights;
+    result.resize(count, DirectionalLight{osg::Vec3d(0, 0, 1), osg::Vec3d()});
+    for (DirectionalLight& light : result) {
+        light.direction = light.direction * worldFromMap;
+        light.direction.normalize();
+    }
+    return result;
+}
+
+void bind(osg::StateSet& stateSet, unsigned unit, const char* name, osg::Texture* texture)
+{
+    stateSet.setTextureAttribute(unit, texture, on);
+    stateSet.addUniform(new osg::Uniform(name, int(unit)), on);
+}
+
+}  // namespace
+
+AtlasRefresh::States DeferredTechnique::atlasStates(Cull& c, ShadowAtlas& atlas)
+{
+    AtlasRefresh::States states;
+    for (const bool second : {false, true}) {
+        ViewData::State state = c.view.state(second ? "caster second" : "caster first");
+        osg::StateSet& s = state.stateSet;
+        (second ? states.second : states.first) = &s;
+        if (!state.isNew) continue;
+        s.setAttribute(_library->program("pass/caster.vert", "pass/caster.frag"), on);
+        s.setAttributeAndModes(new osg::Depth(osg::Depth::LESS, 0, 1, true), on);
+        s.addUniform(new osg::Uniform("baseColorMap", 0));
+        if (!second) continue;
+        s.setDefine("CASTER_SECOND");
+        s.setAttribute(new osg::ColorMask(false, false, false, false), on);
+        bind(s, 1, "firstDepthMap", atlas.firstDepth());
+    }
+    ViewData::State state = c.view.state("midpoint");
+    states.midpoints = &state.stateSet;
+    if (state.isNew) {
+        osg::StateSet& s = state.stateSet;
+        s.setAttribute(_library->program("pass/fullscreen.vert", "pass/midpoint.frag"), on);
+        s.setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0, 1, false), osg::StateAttribute::OFF);
+        bind(s, 0, "firstDepthMap", atlas.firstDepth());
+        bind(s, 1, "secondDepthMap", atlas.secondDepth());
+        bind(s, 2, "firstGuardMap", atlas.firstGuard());
+    }
+    return states;
+}
+
+void DeferredTechnique::addAtlas(Cull& c, osgUtil::CullVisitor& cv)
+{
+    const Plan& plan = c.view.plan;
+    if (!plan.atlas) {
+        c.view.dropAtlas();
+        return;
+    }
+    ShadowAtlas& atlas = c.view.atlas(plan.occlusionLights, unsigned(c.settings.atlasSize));
+    atlas.setCasters(c.casters);
+    const bool atOnce = c.settings.regeneration == Settings::IMMEDIATE ||
+                        (atlas.version() == 0 && 2.0 * atlas.lights * double(atlas.triangles()) <= firstFrameTriangles);
+    const unsigned budget = atOnce ? atlas.lights : unsigned(c.settings.atlasUpdatesPerFrame);
+    const LightList list = inWorld(c.view.textures().occlusionList(atlas.lights), c.mapFromWorld, atlas.lights);
+    const std::vector<ShadowAtlas::Refresh> refreshes = atlas.update(list, budget);
+    if (auto* view = dynamic_cast<osgViewer::View*>(cv.getRenderInfo().getView()); view && atlas.waiting() > 0)
+        view->requestRedraw();
+    if (refreshes.empty()) return;
+
+    Frame& f = c.frame;
+    if (!f.atlasRefresh) f.atlasRefresh = new AtlasRefresh(&c.view.timer("atlas"));
+    f.atlasRefresh->prepare(atlas, refreshes, atlas.drawn(), atlasStates(c, atlas), c.timed);
+    osg::ref_ptr<Pass>& pass = f.passes["atlas"];
+    if (!pass) pass = new Pass(f.atlasRefresh.get());
+    ViewData::State own = c.view.state("atlas");
+    pass->add(c.host, c.view.atlasCamera(), *c.view.viewport(), own.stateSet, *f.uniforms, cv.getProjectionMatrix(),
+              cv.getModelViewMatrix());
+}
+
+}  // namespace osgEnvLight

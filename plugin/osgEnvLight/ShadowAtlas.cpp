@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+#include <osgEnvLight/ShadowAtlas>
+
+#include <osgEnvLight/CasterMesh>
+#include <osgEnvLight/GBuffer>
+
+#include <algorithm>
+#include <cmath>
+
+#include "glsl.h"
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+// A map whose light has moved by more than this [chord] is drawn again; further than the second, it shows another light.
+const double movedLight = 1e-4;
+const double anotherLight = 0.2;
+
+osg::ref_ptr<osg::FrameBufferObject> makeTarget(osg::Texture2D* color, osg::Texture2D* depth)
+{
+    osg::ref_ptr<osg::FrameBufferObject> target = new osg::FrameBufferObject;
+    target->setAttachment(osg::Camera::COLOR_BUFFER0, osg::FrameBufferAttachment(color));
+    if (depth) target->setAttachment(osg::Camera::DEPTH_BUFFER, osg::FrameBufferAttachment(depth));
+    return target;
+}
+
+bool contains(const osg::BoundingBoxd& outer, const osg::BoundingBoxd& inner)
+{
+    return outer.valid() && outer.contains(inner._min) && outer.contains(inner._max);
+}
+
+bool sameLights(const LightList& a, const LightList& b)
+{
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const DirectionalLight& x, const DirectionalLight& y) {
+        return x.direction == y.direction && x.flux == y.flux;
+    });
+}
+
+double diagonal(const osg::BoundingBoxd& box)
+{
+    return (box._max - box._min).length();
+}
+
+}  // namespace
+
+ShadowAtlas::ShadowAtlas(unsigned lightCount, unsigned mapSize)
+    : lights(lightCount),
+      size(mapSize),
+      _maps(lightCount),
+      _columns(unsigned(std::ceil(std::sqrt(double(lightCount))))),
+      _midpoints(targetTexture(int(_columns * size), int((lights + _columns - 1) / _columns * size), GL_R16)),
+      _firstDepth(targetTexture(int(batch * size), int(size), GL_DEPTH_COMPONENT24)),
+      _firstGuard(targetTexture(int(batch * size), int(size), GL_R16F)),
+      _secondDepth(targetTexture(int(batch * size), int(size), GL_DEPTH_COMPONENT24)),
+      _target(makeTarget(_midpoints.get(), nullptr)),
+      _firstTarget(makeTarget(_firstGuard.get(), _firstDepth.get())),
+      _secondTarget(makeTarget(_firstGuard.get(), _secondDepth.get()))
+{
+}
+
+// The bound stays while it fits: a caster that wanders within it moves no map.
+void ShadowAtlas::fit(const std::vector<Caster>& casters)
+{
+    const osg::BoundingBoxd bound = boundOf(casters);
+    if (!bound.valid() || (contains(_box, bound) && diagonal(bound) > 0.5 * diagonal(_box))) return;
+    const double margin = 0.02 * diagonal(bound);
+    const osg::Vec3d more(margin, margin, margin);
+    _box = osg::BoundingBoxd(bound._min - more, bound._max + more);
+    if ((_box.center() - _origin).length() < 16.0 * diagonal(_box) && _version > 0) return;
+    _origin = _box.center();  // floats about it keep their digits
+    for (Map& map : _maps) map.drawn = false;
+}
+
+void ShadowAtlas::place(Map& map, unsigned index, const osg::Vec3d& direction) const
+{
+    const glsl::mat3 frame = glsl::frameAround(glsl::vec3(direction.x(), direction.y(), direction.z()));
+    const osg::Vec3d t(frame[0].x, frame[0].y, frame[0].z), b(frame[1].x, frame[1].y, frame[1].z);
+    const double turn = 2.39996322972865332 * index;  // golden angle: neighbours' texels don't fall in step
+    map.across = t * std::cos(turn) + b * std::sin(turn);
+    map.up = b * std::cos(turn) - t * std::sin(turn);
+    map.along = direction;
+    map.center = _box.center();
+    map.radius = 0.0;
+    for (unsigned i = 0; i < 8; ++i) {
+        const osg::Vec3d corner = _box.corner(i) - map.center;
+        for (const osg::Vec3d& axis : {map.across, map.up, map.along}) map.radius = std::max(map.radius, std::abs(corner * axis));
+    }
+    map.radius *= 1.0 + 2.0 / size;  // a texel about
+}
+
+osg::Matrixd ShadowAtlas::projection(const Map& map) const
+{
+    osg::Matrixd m;
+    const osg::Vec3d axes[] = {map.across / map.radius, map.up / map.radius, -map.along / map.radius};
+    const osg::Vec3d center = map.center - _origin;
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row) m(row, column) = axes[column].ptr()[row];
+        m(3, column) = -(center * axes[column]);
+    }
+    return m;
+}
+
+double ShadowAtlas::priority(const Map& map, const osg::Vec3d& flux) const
+{
+    const double sum = flux[0] + flux[1] + flux[2];
+    if (!(sum > 0.0)) return 0.0;
+    if (!map.drawn) return 1e6 * sum;
+    return map.outdated ? sum * (1.0 + map.age) : 0.0;
+}
+
+void ShadowAtlas::setCasters(const std::vector<Caster>& casters)
+{
+    const double texel = _box.valid() ? diagonal(_box) / size : 0.0;
+    _moved = !sameShadows(casters, _casters, 0.02 * texel);
+    if (_moved) {
+        fit(casters);
+        _casters = casters;
+        _merged = nullptr;
+        _triangles = trianglesOf(_casters);
+    }
+    // A scene that moves is drawn as it is.
+    if (!_merged && (!_moved || _version == 0) && _box.valid()) merge();
+}
+
+void ShadowAtlas::merge()
+{
+    _merged = mergeCasters(_casters, _origin, 0.5 * diagonal(_box) / size);
+    _triangles = _merged->getPrimitiveSet(0)->getNumIndices() / 3;
+    for (const Caster& caster : _casters)
+        if (caster.state) _triangles += trianglesOf({caster});
+}
+
+std::vector<Caster> ShadowAtlas::drawn()
+{
+    if (!_merged) return _casters;
+    std::vector<Caster> result = {{_merged, osg::Matrixd::translate(_origin), nullptr, 0}};
+    for (const Caster& caster : _casters)
+        if (caster.state) result.push_back(caster);
+    return result;
+}
+
+std::vector<ShadowAtlas::Refresh> ShadowAtlas::update(const LightList& list, unsigned budget)
+{
+    if (_lost.exchange(false))
+        for (Map& map : _maps) map.drawn = false;
+    std::vector<std::pair<double, unsigned>> wanted;
+    for (unsigned i = 0; i < lights; ++i) {
+        Map& map = _maps[i];
+        const double step = (list[i].direction - map.along).length();
+        if (step > anotherLight) map.drawn = false;
+        map.outdated = map.outdated || _moved || step > movedLight;
+        map.age = map.outdated ? map.age + 1 : 0;
+        const double p = priority(map, list[i].flux);
+        if (p > 0.0) wanted.emplace_back(-p, i);
+    }
+    const size_t count = _box.valid() ? std::min<size_t>(budget, wanted.size()) : 0;
+    _waiting = unsigned(wanted.size() - count);
+    std::partial_sort(wanted.begin(), wanted.begin() + std::ptrdiff_t(count), wanted.end());
+    std::vector<Refresh> refreshes;
+    for (size_t k = 0; k < count; ++k) {
+        Map& map = _maps[wanted[k].second];
+        place(map, wanted[k].second, list[wanted[k].second].direction);
+        map.drawn = true;
+        map.outdated = false;
+        refreshes.push_back({wanted[k].second, projection(map)});
+    }
+    if (!refreshes.empty() || !sameLights(list, _list)) {
+        _list = list;
+        ++_version;
+    }
+    return refreshes;
+}
+
+osg::ref_ptr<osg::Image> ShadowAtlas::lightImage(double scale) const
+{
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(int(lights / 16), 64, 1, GL_RGBA, GL_FLOAT);
+    image->setInternalTextureFormat(GL_RGBA32F_ARB);
+    const auto write = [&](unsigned i, unsigned row, const osg::Vec3d& v, double w) {
+        float* out = reinterpret_cast<float*>(image->data(i / 16, 4 * (i % 16) + row));
+        for (int k = 0; k < 3; ++k) out[k] = float(v.ptr()[k]);
+        out[3] = float(w);
+    };
+    for (unsigned i = 0; i < lights; ++i) {
+        const Map& map = _maps[i];
+        const osg::Vec3d along = map.drawn ? map.along : _list[i].direction;
+        const osg::Vec3d center = map.center - _origin;
+        const double height = map.drawn ? 0.5 / map.radius : 1.0;
+        const double texels = height * size;
+        write(i, 0, map.across * texels, 0.5 * size - center * map.across * texels);
+        write(i, 1, map.up * texels, 0.5 * size - center * map.up * texels);
+        write(i, 2, along * height, 0.5 - center * along * height);
+        write(i, 3, _list[i].flux * scale, map.drawn ? 1.0 / height : -1.0);
+    }
+    return image;
+}
+
+void ShadowAtlas::resizeGLObjectBuffers(unsigned maximum)
+{
+    for (osg::Texture2D* t : {_midpoints.get(), _firstDepth.get(), _firstGuard.get(), _secondDepth.get()})
+        t->resizeGLObjectBuffers(maximum);
+    if (_merged) _merged->resizeGLObjectBuffers(maximum);
+    for (osg::FrameBufferObject* f : {_target.get(), _firstTarget.get(), _secondTarget.get()}) f->resizeGLObjectBuffers(maximum);
+}
+
+void ShadowAtlas::releaseGLObjects(osg::State* state) const
+{
+    for (osg::Texture2D* t : {_midpoints.get(), _firstDepth.get(), _firstGuard.get(), _secondDepth.get()})
+        t->releaseGLObjects(state);
+    if (_merged) _merged->releaseGLObjects(state);
+    for (osg::FrameBufferObject* f : {_target.get(), _firstTarget.get(), _secondTarget.get()}) f->releaseGLObjects(state);
+    _lost = true;
+}
+
+size_t ShadowAtlas::bytes() const
+{
+    const size_t map = size_t(size) * size;
+    const size_t rows = (lights + _columns - 1) / _columns;
+    const size_t mesh = _merged ? _merged->getVertexArray()->getTotalDataSize() + 12 * _triangles : 0;
+    return 2 * map * _columns * rows + (4 + 2 + 4) * map * batch + mesh;
+}
+
+}  // namespace osgEnvLight

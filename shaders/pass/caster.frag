@@ -1,0 +1,69 @@
+#version 330 compatibility
+// SPDX-License-Identifier: MIT
+// First surface from a light: its depth, and by how much an open one must be let down not to shade itself. Second surface:
+// the depth of the nearest that is not the first. Alpha goes out for the fixed-function alpha test.
+#pragma import_defines(CASTER_ALPHA, CASTER_BLENDED, CASTER_SECOND, NO_TEXTURE, TEXTURE_REPLACE, VERTEX_COLOR)
+
+#include "lib/atlas.glsl"
+#include "lib/sequence.glsl"
+
+uniform int atlasSize;
+#ifdef CASTER_SECOND
+uniform sampler2D firstDepthMap;
+#endif
+#if defined(CASTER_ALPHA) && !defined(NO_TEXTURE)
+uniform sampler2D baseColorMap;
+#endif
+#ifdef CASTER_BLENDED
+uniform ivec2 atlasMapIndex;
+#endif
+
+in vec4 vertexColor;
+in vec2 textureCoordinate;
+
+layout(location = 0) out vec4 guard;
+
+float casterAlpha()
+{
+#ifdef CASTER_ALPHA
+    float alpha = gl_FrontMaterial.diffuse.a;
+#ifdef VERTEX_COLOR
+    alpha = vertexColor.a;
+#endif
+#ifndef NO_TEXTURE
+    float texel = texture(baseColorMap, textureCoordinate).a;
+#ifdef TEXTURE_REPLACE
+    alpha = texel;
+#else
+    alpha *= texel;
+#endif
+#endif
+    return alpha;
+#else
+    return 1.0;
+#endif
+}
+
+void main()
+{
+    float alpha = casterAlpha();
+#ifdef CASTER_BLENDED
+    // Blocks this share of the texels, others in each light's map.
+    float threshold = (float(bayer4(int(gl_FragCoord.x), int(gl_FragCoord.y))) + 0.5) / 16.0;
+    if (alpha <= fract(threshold + 0.61803399 * float(atlasMapIndex.x))) discard;
+    alpha = 1.0;
+#endif
+#ifdef CASTER_SECOND
+    if (gl_FragCoord.z <= texelFetch(firstDepthMap, ivec2(gl_FragCoord.xy), 0).r + ATLAS_STEP) discard;
+    guard = vec4(0.0, 0.0, 0.0, alpha);
+#else
+    float slope = length(vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z)));
+    // Leaves and grilles are sheets; most of the rest has a back.
+#ifdef CASTER_ALPHA
+    float texels = 3.0;
+#else
+    float texels = 1.0;
+#endif
+    guard = vec4(min(0.71 * slope, texels / float(atlasSize)), 0.0, 0.0, alpha);
+#endif
+}
