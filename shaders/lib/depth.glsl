@@ -17,6 +17,13 @@ vec3 viewRay(mat4 inverseProjection, vec2 ndc)
     return normalize(eyeFromDepth(inverseProjection, ndc, 0.5) - eyeFromDepth(inverseProjection, ndc, 0.0));
 }
 
+// The same through an eye point: column 2 is the centre of projection, which for parallel rays lies at infinity.
+vec3 viewRayAt(mat4 inverseProjection, vec3 p)
+{
+    vec4 centre = inverseProjection[2];
+    return normalize(vec3(centre) - centre.w * p);
+}
+
 // Length in eye units of one pixel's side at depth, across the view ray.
 float pixelFootprint(mat4 inverseProjection, vec2 ndc, float depth, vec2 size)
 {

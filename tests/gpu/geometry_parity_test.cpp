@@ -273,6 +273,14 @@ TEST(parity, viewRay)
         [](auto& in) { return vec4(glsl::viewRay(matrixOf(in), vec2(in[4])), 0); }, within(0.0, 1e-6));
 }
 
+TEST(parity, viewRayAt)
+{
+    expectParity(
+        {"lib/depth.glsl"}, "result = vec4(viewRayAt(mat4(a, b, c, d), vec3(5.0 * e.xy, -1.0 - 50.0 * e.z)), 0.0);", viewRows(69),
+        [](auto& in) { return vec4(glsl::viewRayAt(matrixOf(in), vec3(5.0 * vec2(in[4]), -1.0 - 50.0 * in[4].z)), 0); },
+        within(0.0, 5e-7));
+}
+
 TEST(parity, viewRayOfADeepView)
 {
     // near : far = 1 : 1e8, where float can't tell the far plane from infinity

@@ -55,6 +55,7 @@ TEST(depth, ViewRay)
             const vec3 p = glsl::eyeFromDepth(inverse, ndc, 0.3);
             const vec3 exact = view.parallel ? vec3(0, 0, -1) : glsl::normalize(p);
             EXPECT_LT(glsl::length(ray - exact), 1e-9) << view.name;
+            EXPECT_LT(glsl::length(glsl::viewRayAt(inverse, p) - exact), 1e-12) << view.name;
         }
     }
 }
