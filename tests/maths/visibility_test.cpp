@@ -1,81 +1,31 @@
 // SPDX-License-Identifier: MIT
-// The ray march on the CPU, over depth buffers of planes that are computed and rounded as a GPU's 24-bit buffer is.
+// The ray march on the CPU, over depth buffers of planes.
 #include <gtest/gtest.h>
 
 #include "Maths.h"
+#include "PlaneView.h"
 #include "Projections.h"
 
 using namespace testmaths;
 using glsl::mat4;
 using glsl::vec2;
 using glsl::vec3;
-using glsl::vec4;
 
 namespace
 {
 
-struct Plane {
-    vec3 point;
-    vec3 normal;
-};
-
-// The depth buffer of a few planes; the nearest in front of the eye counts.
-class Buffer
+// As pass/occlusion.frag sets the march up for a pixel.
+glsl::RayMarch marchFrom(const PlaneView& view, int x, int y, const vec3& n, double radius, double thickness, int steps)
 {
-  public:
-    Buffer(const mat4& projection, int width, int height, const std::vector<Plane>& planes)
-        : _projection(projection),
-          _inverse(glm::inverse(projection)),
-          _size(width, height),
-          _texels(size_t(4 * width * height), 1.0f)
-    {
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x) _texels[size_t(4 * (y * width + x))] = float(depthAt(vec2(x + 0.5, y + 0.5), planes));
-    }
-
-    glsl::sampler2D map() const { return {_texels.data(), int(_size.x), int(_size.y)}; }
-
-    // As pass/occlusion.frag sets the march up for a pixel.
-    glsl::RayMarch march(int x, int y, const vec3& n, double radius, double thickness, int steps) const
-    {
-        glsl::RayMarch m;
-        m.projection = _projection;
-        m.inverseProjection = _inverse;
-        m.size = _size;
-        m.radius = radius;
-        m.thickness = thickness;
-        m.steps = steps;
-        const double depth = _texels[size_t(4 * (y * int(_size.x) + x))];
-        const vec2 ndc = (vec2(x, y) + 0.5) / _size * 2.0 - 1.0;
-        const vec3 p = glsl::eyeFromDepth(_inverse, ndc, depth);
-        const double quantum = std::abs(glsl::eyeFromDepth(_inverse, ndc, depth - 1.2e-7).z - p.z);
-        return glsl::rayMarchFrom(m, p, n, 0.1 * glsl::pixelFootprint(_inverse, ndc, depth, _size) + quantum);
-    }
-
-    bool hasSurface(int x, int y) const { return _texels[size_t(4 * (y * int(_size.x) + x))] < 1.0f; }
-
-  private:
-    double depthAt(const vec2& pixel, const std::vector<Plane>& planes) const
-    {
-        const vec2 ndc = pixel / _size * 2.0 - 1.0;
-        const vec3 a = glsl::eyeFromDepth(_inverse, ndc, 0.0);
-        const vec3 b = glsl::eyeFromDepth(_inverse, ndc, 1.0);
-        double nearest = 1.0;
-        for (const Plane& plane : planes) {
-            const double t = glsl::dot(plane.normal, plane.point - a) / glsl::dot(plane.normal, b - a);
-            if (!(t >= 0.0 && t <= 1.0)) continue;
-            const vec4 clip = _projection * vec4(a + t * (b - a), 1.0);
-            const double depth = 0.5 * clip.z / clip.w + 0.5;
-            nearest = std::min(nearest, std::round(depth * 16777215.0) / 16777215.0);
-        }
-        return nearest;
-    }
-
-    mat4 _projection;
-    mat4 _inverse;
-    vec2 _size;
-    std::vector<float> _texels;
-};
+    glsl::RayMarch m;
+    m.projection = view.projection;
+    m.inverseProjection = view.inverse;
+    m.size = view.size;
+    m.radius = radius;
+    m.thickness = thickness;
+    m.steps = steps;
+    return glsl::rayMarchFrom(m, view.eye(x, y), n, view.bias(x, y));
+}
 
 const int width = 96;
 const int height = 72;
@@ -89,7 +39,7 @@ vec3 tilted(double degrees, double azimuth)
 void expectPlaneFree(const mat4& projection, double degrees, double azimuth)
 {
     const vec3 n = tilted(degrees, azimuth);
-    const Buffer buffer(projection, width, height, {{vec3(0, 0, -10), n}});
+    const PlaneView view(projection, width, height, {{vec3(0, 0, -10), n}});
     const glsl::mat3 frame = glsl::frameAround(n);
     Random random(17);
     int rays = 0;
@@ -101,9 +51,9 @@ void expectPlaneFree(const mat4& projection, double degrees, double azimuth)
         vec3 l = random.upper();
         if (i % 2) l = glsl::normalize(vec3(l.x, l.y, 0.05 * l.z));
         const double phase = random.uniform();
-        if (!buffer.hasSurface(x, y)) continue;
+        if (!view.hasSurface(x, y)) continue;
         ++rays;
-        blocked += glsl::rayBlocked(buffer.map(), buffer.march(x, y, n, 5.0, 1.0, 16), frame * l, phase) > 0.5;
+        blocked += glsl::rayBlocked(view.depthMap(), marchFrom(view, x, y, n, 5.0, 1.0, 16), frame * l, phase) > 0.5;
     }
     EXPECT_GT(rays, 200) << degrees;
     EXPECT_EQ(blocked, 0) << "of " << rays << " rays at " << degrees << " degrees, azimuth " << azimuth;
@@ -126,7 +76,7 @@ TEST(visibility, AWallBlocksWhatRunsIntoIt)
 {
     // A floor z = -10 that faces the eye, and beside it a wall x = 1 that reaches up to the eye.
     const mat4 projection = frustum(-0.4, 0.4, -0.3, 0.3, 1.0, 100.0);
-    const Buffer buffer(projection, 4 * width, 4 * height, {{vec3(0, 0, -10), vec3(0, 0, 1)}, {vec3(1, 0, 0), vec3(-1, 0, 0)}});
+    const PlaneView view(projection, 4 * width, 4 * height, {{vec3(0, 0, -10), vec3(0, 0, 1)}, {vec3(1, 0, 0), vec3(-1, 0, 0)}});
     const double radius = 3.0;
     Random random(18);
     int counts[2] = {};
@@ -137,7 +87,7 @@ TEST(visibility, AWallBlocksWhatRunsIntoIt)
         const int y = int(random.uniform(0.3, 0.7) * 4 * height);
         const vec3 l = random.upper();
         const double phase = random.uniform();
-        const glsl::RayMarch m = buffer.march(x, y, vec3(0, 0, 1), radius, 2.0, 64);
+        const glsl::RayMarch m = marchFrom(view, x, y, vec3(0, 0, 1), radius, 2.0, 64);
         // The ends of the ray, one step (.09) of which may lie before the wall, are left out; so are rays that leave the
         // picture before the wall, of which the buffer knows nothing.
         const double distance = l.x > 0.0 ? (1.0 - m.eye.x) / l.x : 1e9;
@@ -145,7 +95,7 @@ TEST(visibility, AWallBlocksWhatRunsIntoIt)
         if (distance < radius && (distance > radius - 0.1 || std::abs(hit.y) > -0.3 * hit.z)) continue;
         const bool reaches = distance < radius;
         ++counts[reaches];
-        wrong[reaches] += reaches != (glsl::rayBlocked(buffer.map(), m, l, phase) > 0.5);
+        wrong[reaches] += reaches != (glsl::rayBlocked(view.depthMap(), m, l, phase) > 0.5);
     }
     EXPECT_GT(counts[0], 5000);
     EXPECT_GT(counts[1], 5000);

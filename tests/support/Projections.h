@@ -17,6 +17,15 @@ inline glsl::mat4 frustum(double l, double r, double b, double t, double n, doub
     return m;
 }
 
+/** frustum() with its far plane at infinity. */
+inline glsl::mat4 endlessFrustum(double l, double r, double b, double t, double n)
+{
+    glsl::mat4 m = frustum(l, r, b, t, n, 2.0 * n);
+    m[2][2] = -1.0;
+    m[3][2] = -2.0 * n;
+    return m;
+}
+
 inline glsl::mat4 orthographic(double l, double r, double b, double t, double n, double f)
 {
     glsl::mat4 m(1.0);
