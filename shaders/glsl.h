@@ -29,6 +29,7 @@ using uint = glm::uint;
 using glm::abs;
 using glm::acos;
 using glm::atan;
+using glm::ceil;
 using glm::clamp;
 using glm::cos;
 using glm::cross;
@@ -95,6 +96,7 @@ inline vec4 textureLod(const sampler2D& s, vec2 st, double)
 #include "lib/phong.glsl"
 #include "lib/sequence.glsl"
 #include "lib/sh.glsl"
+#include "lib/slices.glsl"
 #include "lib/sun.glsl"
 #include "lib/tone.glsl"
 #include "lib/visibility.glsl"

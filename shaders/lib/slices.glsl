@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+// Which directions does the near scene block, as far as the depth buffer knows? Half planes through the view ray, slices,
+// are walked outwards on the screen; each tapped surface marks the sectors of the receiver's half circle that it covers,
+// bit by bit [Therrien et al. 2023]. A tap stands for the patch of surface that its interval covers, not for a point.
+#ifndef SLICES_GLSL
+#define SLICES_GLSL
+
+#include "lib/constants.glsl"
+#include "lib/depth.glsl"
+
+// What the slices need to know of the view, and how far they look.
+struct SliceView {
+    mat4 projection;
+    mat4 inverseProjection;
+    vec2 size;        // viewport, pixels
+    float radius;     // eye units
+    float thickness;  // assumed depth of what the view shows, eye units
+    int slices;       // 1..4
+    int taps;         // of each slice and side
+    int group;        // 0..15, the pixel's number in its cell: the phases of a cell lie between each other
+};
+
+// Angles lie in the slice's plane, from the direction to the eye towards `along`.
+struct Slice {
+    vec3 along;   // unit, across the view ray
+    float tilt;   // angle of the receiver's normal
+    float phase;  // of the samples in their sectors, in (0,1)
+    uint bits;    // sector j of 32 is blocked
+};
+
+struct SliceReceiver {
+    vec3 point;  // eye space, lifted off its surface
+    vec3 normal;
+    vec3 view;        // unit, towards the eye
+    float footprint;  // of a pixel, eye units
+};
+
+struct Slices {
+    vec3 view;
+    int count;
+    Slice slice[4];
+};
+
+// A surface seen on one side of a slice.
+struct SliceTap {
+    vec3 x;          // eye space
+    vec3 normal;     // 0: the background
+    float distance;  // from the receiver across the view ray
+    float position;  // the receiver's horizon if the surface lies below it
+    bool above;
+    bool marks;  // is within the radius
+};
+
+// Where direction d, turned into the slice's plane, lies between the receiver's horizons, 0 and 1.
+float slicePosition(Slice s, vec3 view, vec3 d)
+{
+    return (atan(dot(d, s.along), dot(d, view)) - s.tilt) * INV_PI + 0.5;
+}
+
+// Bits of the sectors whose samples (j + phase) / 32 lie between two positions, whichever is the greater.
+uint sliceMarks(float a, float b, float phase)
+{
+    int first = max(int(ceil(32.0 * max(min(a, b), 0.0) - phase)), 0);
+    int last = min(int(floor(32.0 * min(max(a, b), 1.0) - phase)), 31);
+    return last < first ? 0u : (0xffffffffu >> (31 + first - last)) << first;
+}
+
+// Integral of |sin t| cos(t - tilt) from 0 to t.
+float sliceIntegral(float t, float tilt)
+{
+    return sign(t) * (0.5 * t * sin(tilt) - 0.25 * cos(2.0 * t - tilt) + 0.25 * cos(tilt));
+}
+
+// The cosine of the receiver's normal times solid angle, per radian of azimuth, in the slice between two positions.
+float sliceWeight(Slice s, vec3 view, vec3 normal, float a, float b)
+{
+    float inPlane = length(vec2(dot(normal, view), dot(normal, s.along)));
+    return inPlane * (sliceIntegral((b - 0.5) * PI + s.tilt, s.tilt) - sliceIntegral((a - 0.5) * PI + s.tilt, s.tilt));
+}
+
+// Above its own plane no surface may rise by the rounding of depth and normal: half a degree, a tenth of a sector.
+bool isAbove(vec3 d, vec3 normal)
+{
+    return dot(d, normal) > 0.01 * length(d);
+}
+
+// Where the view ray through q meets the plane of the surface at x with normal nx; farther from x along the ray than
+// `reach`, shortened along the surface: pulled off it, a plane would rise above itself.
+vec3 patchEnd(mat4 inverseProjection, vec3 q, vec3 x, vec3 nx, float reach)
+{
+    vec3 ray = viewRayAt(inverseProjection, q);
+    float c = dot(ray, nx);
+    float t = c < -1e-4 ? dot(x - q, nx) / c : 1e4 * reach;  // missed: far away
+    vec3 y = q + t * ray - x;
+    return x + min(reach / max(abs(dot(y, ray)), 1e-30), 1.0) * y;
+}
+
+// Two surfaces that meet in a convex edge end there: a patch of x towards `end` is cut by the plane of its neighbour. Else
+// each would overhang the edge, never fall short of it, and every ridge would be too high.
+vec3 cutAtEdge(vec3 x, vec3 end, SliceTap neighbour)
+{
+    float from = dot(x - neighbour.x, neighbour.normal);
+    float to = dot(end - neighbour.x, neighbour.normal);
+    bool edge = from < -0.01 * length(x - neighbour.x) && to > 0.0;
+    return edge ? x + from / (from - to) * (end - x) : end;
+}
+
+// The sectors behind the tapped surface between its centre and that distance from the receiver, on the neighbour's side.
+uint patchBits(SliceView v, SliceReceiver r, Slice s, float side, SliceTap tap, float distance, SliceTap neighbour)
+{
+    if (!tap.marks) return 0u;
+    vec3 q = r.point + side * distance * s.along;
+    vec3 end = patchEnd(v.inverseProjection, q, tap.x, tap.normal, abs(distance - tap.distance) + 0.5 * r.footprint);
+    vec3 d = cutAtEdge(tap.x, end, neighbour) - r.point;
+    bool above = isAbove(d, r.normal);
+    if (!above && !tap.above) return 0u;
+    return sliceMarks(tap.position, above ? slicePosition(s, r.view, d) : 0.5 + 0.5 * side, s.phase);
+}
+
+// The sectors behind the slab that reaches from the tapped surface away from the eye.
+uint slabBits(SliceView v, SliceReceiver r, Slice s, SliceTap tap)
+{
+    if (!tap.marks || !tap.above) return 0u;
+    vec3 back = tap.x + v.thickness * viewRayAt(v.inverseProjection, tap.x) - r.point;
+    return sliceMarks(tap.position, slicePosition(s, r.view, back), s.phase);
+}
+
+// Distance of tap j from the receiver, or with a half taken off j, of the border to its neighbour: denser near the
+// receiver, no two taps on one pixel.
+float tapDistance(SliceView v, float footprint, float j, float phase)
+{
+    float u = max(j + phase, 0.0) / float(v.taps);
+    return max(v.radius * u * u, (1.0 + 0.5 * j) * footprint);
+}
+
+SliceTap noTap()
+{
+    SliceTap t;
+    t.x = vec3(0.0);
+    t.normal = vec3(0.0);
+    t.distance = 0.0;
+    t.position = 0.0;
+    t.above = false;
+    t.marks = false;
+    return t;
+}
+
+// The surface in that pixel, known at its centre.
+SliceTap tapAt(sampler2D depthMap, sampler2D normalMap, SliceView v, SliceReceiver r, Slice s, float side, ivec2 pixel)
+{
+    SliceTap t = noTap();
+    float depth = texelFetch(depthMap, pixel, 0).x;
+    if (depth >= 1.0) return t;
+    t.x = eyeFromDepth(v.inverseProjection, (vec2(pixel) + 0.5) / v.size * 2.0 - 1.0, depth);
+    t.normal = normalize(vec3(texelFetch(normalMap, pixel, 0)) * 2.0 - 1.0);
+    vec3 d = t.x - r.point;
+    t.above = isAbove(d, r.normal);
+    t.position = t.above ? slicePosition(s, r.view, d) : 0.5 + 0.5 * side;
+    t.marks = length(d) <= v.radius;
+    return t;
+}
+
+// What is blocked on one side of a slice, which ends at the border of the view. phase in (0,1) shifts the taps.
+uint sideBits(sampler2D depthMap, sampler2D normalMap, SliceView v, SliceReceiver r, Slice s, float side, float phase)
+{
+    vec4 clip = v.projection * vec4(r.point, 1.0);
+    vec4 clipStep = v.projection * vec4(side * s.along, 0.0);
+    uint bits = 0u;
+    SliceTap former = noTap();
+    for (int j = 0; j <= v.taps; ++j) {
+        float distance = tapDistance(v, r.footprint, float(j), phase);
+        float border = tapDistance(v, r.footprint, float(j) - 0.5, phase);
+        vec4 c = clip + distance * clipStep;
+        bool end = j == v.taps || c.w <= 0.0 || abs(c.x) >= c.w || abs(c.y) >= c.w;
+        SliceTap tap = noTap();
+        if (!end) {
+            ivec2 pixel = ivec2((0.5 * vec2(c) / c.w + 0.5) * v.size);
+            tap = tapAt(depthMap, normalMap, v, r, s, side, pixel);
+            tap.distance = distance;
+        }
+        bits |= patchBits(v, r, s, side, former, border, tap) | patchBits(v, r, s, side, tap, border, former) |
+                slabBits(v, r, s, tap);
+        if (end) break;
+        former = tap;
+    }
+    return bits;
+}
+
+// The blocked sectors around the eye point p with unit normal n. bias [eye units] lifts it off its surface and must cover
+// the rounding of the depth buffer; footprint is that of its pixel. normalMap holds n/2 + 1/2.
+Slices slicesOf(sampler2D depthMap, sampler2D normalMap, SliceView v, vec3 p, vec3 n, float bias, float footprint)
+{
+    SliceReceiver r;
+    r.point = p + bias * n;
+    r.normal = n;
+    r.view = -viewRayAt(v.inverseProjection, r.point);
+    r.footprint = footprint;
+    Slices result;
+    result.view = r.view;
+    result.count = v.slices;
+    vec3 right = normalize(vec3(1.0, 0.0, 0.0) - r.view.x * r.view);
+    vec3 up = cross(r.view, right);
+    for (int i = 0; i < v.slices; ++i) {
+        float azimuth = PI * (float(i) + (float(v.group) + 0.5) / 16.0) / float(v.slices);
+        int phase = 7 * v.group + 5 * i + 3;
+        Slice s;
+        s.along = cos(azimuth) * right + sin(azimuth) * up;
+        s.tilt = atan(dot(n, s.along), dot(n, r.view));
+        s.phase = (float((11 * v.group + 3 * i) & 15) + 0.5) / 16.0;
+        s.bits = sideBits(depthMap, normalMap, v, r, s, -1.0, (float(phase & 15) + 0.5) / 16.0) |
+                 sideBits(depthMap, normalMap, v, r, s, 1.0, (float((phase + 8) & 15) + 0.5) / 16.0);
+        result.slice[i] = s;
+    }
+    return result;
+}
+
+// Is the unit eye direction l, above the receiver's horizon, blocked? It takes the sector of its angle from the view
+// direction, in the slice nearest in azimuth.
+bool sliceBlocks(Slices r, vec3 l)
+{
+    int nearest = 0;
+    float along = dot(l, r.slice[0].along);
+    for (int i = 1; i < r.count; ++i) {
+        float c = dot(l, r.slice[i].along);
+        if (abs(c) > abs(along)) {
+            nearest = i;
+            along = c;
+        }
+    }
+    Slice s = r.slice[nearest];
+    float c = dot(l, r.view);
+    float angle = atan(sqrt(max(1.0 - c * c, 0.0)), c) * (along < 0.0 ? -1.0 : 1.0);
+    float position = (angle - s.tilt) * INV_PI + 0.5;
+    int sector = clamp(int(floor(32.0 * position - s.phase + 0.5)), 0, 31);
+    return ((s.bits >> sector) & 1u) != 0u;
+}
+
+#endif
