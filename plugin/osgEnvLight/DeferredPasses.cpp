@@ -153,6 +153,8 @@ void DeferredTechnique::addOcclusion(Cull& c, osgUtil::CullVisitor& cv, Target& 
         in.lights = plan.occlusionLights;
         in.samplers = {{"occlusionLightMap", textures.occlusionLights(plan.occlusionLights)}};
     }
+    const bool rays = !plan.atlas && c.settings.occlusionMethod == Settings::RAY;
+    if (plan.screen) in.defines.push_back(rays ? "OCCLUSION_RAYS" : "OCCLUSION_SLICES");
     addPass(c, cv, "occlusion", sums, passState(c, "occlusion", in), frameState);
     PassInputs filter;
     if (c.settings.combine == Settings::SUBTRACT) filter.defines.push_back("COMBINE_SUBTRACT");

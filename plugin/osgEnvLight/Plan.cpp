@@ -37,7 +37,7 @@ const unsigned mostAtlasLights = 1024;
 
 bool Plan::wantsAtlas(const Settings& s)
 {
-    return s.diffuse && s.occlusion && (s.visibility == Settings::VISIBILITY_AUTO || s.visibility == Settings::VISIBILITY_ATLAS);
+    return s.diffuse && s.occlusion && s.visibility != Settings::VISIBILITY_SCREEN && s.visibility != Settings::VISIBILITY_NONE;
 }
 
 Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack, double sceneRadius,
@@ -89,11 +89,19 @@ Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack
     occlusion.unless(!atlas.runs && s.visibility == Settings::VISIBILITY_ATLAS, "there is no atlas to ask");
     occlusion.unless(!atlas.runs && s.occlusionRadius <= 0.0f, "occlusionRadius is 0");
     plan.occlusion = occlusion.runs;
+    plan.screen = occlusion.runs && (!atlas.runs || (s.visibility != Settings::VISIBILITY_ATLAS && s.nearRadius > 0.0f));
     if (occlusion.runs) {
         const unsigned asked = carrier.given ? carrier.lights : unsigned(atlas.runs ? s.atlasLights : s.occlusionLights);
         plan.occlusionLights = (asked + 15) / 16 * 16;
+        const std::string taps = count(unsigned(s.occlusionSlices), "slices of ");
         occlusion.reason = count(plan.occlusionLights, "lights, ") + count(plan.occlusionLights / 16, "a pixel, ");
-        occlusion.reason += atlas.runs ? "each asking its shadow map" : count(unsigned(s.occlusionSteps), "points a ray");
+        if (atlas.runs)
+            occlusion.reason += plan.screen ? "each asking its shadow map and " + taps + count(unsigned(2 * s.nearTaps), "taps")
+                                            : std::string("each asking its shadow map");
+        else if (s.occlusionMethod == Settings::RAY)
+            occlusion.reason += count(unsigned(s.occlusionSteps), "points a ray");
+        else
+            occlusion.reason += taps + count(unsigned(2 * s.occlusionTaps), "taps");
         if (plan.occlusionLights != asked) occlusion.reason += " (rounded up to a multiple of 16)";
     }
     if (atlas.runs)

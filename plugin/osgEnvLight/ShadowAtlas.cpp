@@ -3,6 +3,7 @@
 
 #include <osgEnvLight/CasterMesh>
 #include <osgEnvLight/GBuffer>
+#include <osgEnvLight/SolidAngles>
 
 #include <algorithm>
 #include <cmath>
@@ -168,7 +169,10 @@ std::vector<ShadowAtlas::Refresh> ShadowAtlas::update(const LightList& list, uns
         refreshes.push_back({wanted[k].second, projection(map)});
     }
     if (!refreshes.empty() || !sameLights(list, _list)) {
-        _list = list;
+        if (!sameLights(list, _list)) {
+            _list = list;
+            _solidAngles = solidAngles(_list);
+        }
         ++_version;
     }
     return refreshes;
@@ -193,9 +197,16 @@ osg::ref_ptr<osg::Image> ShadowAtlas::lightImage(double scale) const
         write(i, 0, map.across * texels, 0.5 * size - center * map.across * texels);
         write(i, 1, map.up * texels, 0.5 * size - center * map.up * texels);
         write(i, 2, along * height, 0.5 - center * along * height);
-        write(i, 3, _list[i].flux * scale, map.drawn ? 1.0 / height : -1.0);
+        write(i, 3, _list[i].flux * scale, (map.drawn ? 1.0 : -1.0) * std::max(_solidAngles[i], 1e-6));
     }
     return image;
+}
+
+double ShadowAtlas::texel() const
+{
+    double radius = 0.0;
+    for (const Map& map : _maps) radius = std::max(radius, map.radius);
+    return 2.0 * radius / size;
 }
 
 void ShadowAtlas::resizeGLObjectBuffers(unsigned maximum)

@@ -62,12 +62,14 @@ osg::StateSet& Frame::atlasState(const ShadowAtlas& atlas, double scale)
     if (!_atlasState) {
         _atlasState = new osg::StateSet(*uniforms);
         _atlasState->addUniform(new osg::Uniform("atlasLightMap", int(atlasLightUnit)));
+        _atlasState->addUniform(new osg::Uniform("atlasTexel", 0.0f));
     }
     if (_atlas != &atlas || _atlasVersion != atlas.version() || _atlasScale != scale) {
         const osg::ref_ptr<osg::Image> image = atlas.lightImage(scale);
         osg::ref_ptr<osg::Texture2D> texture = targetTexture(image->s(), image->t(), GL_RGBA32F_ARB);
         texture->setImage(image);
         _atlasState->setTextureAttribute(atlasLightUnit, texture);
+        _atlasState->getUniform("atlasTexel")->set(float(atlas.texel()));
         _atlas = &atlas;
         _atlasVersion = atlas.version();
         _atlasScale = scale;

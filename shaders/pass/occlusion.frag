@@ -1,43 +1,75 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // O, first half: each pixel of a 4x4 cell takes its own group of the map's lights [seed 000, 3.2, fig. 3] and sums
-// flux cos over the lights it sees (num) and over all of them (den). Their filtered ratio is the visibility of D.
-#pragma import_defines(HAS_ATLAS)
+// flux cos over the lights it sees (num) and over all of them (den). Their filtered ratio is the visibility of D. A light is
+// blocked if the screen or its shadow map says so: bit by bit, so that no occluder counts twice [occlusion.md 4].
+// Alpha: the same sums of solid angle cos, the ambient visibility.
+#pragma import_defines(HAS_ATLAS, OCCLUSION_SLICES, OCCLUSION_RAYS)
 
 #include "lib/sequence.glsl"
+#include "lib/slices.glsl"
 #include "lib/visibility.glsl"
 #include "pass/gbuffer.glsl"
 #ifdef HAS_ATLAS
 #include "pass/atlas.glsl"
+uniform float nearRadius;            // in texels of the atlas
+uniform int nearTaps;
+#else
+uniform sampler2D occlusionLightMap; // rows 2q, 2q + 1: directions and flux of group q
 #endif
 
-uniform sampler2D occlusionLightMap; // rows 2q, 2q + 1: directions and flux of group q
+uniform int occlusionSlices;
+uniform int occlusionTaps;
 uniform int occlusionSteps;
 uniform float occlusionRadius;       // in scene radii
-uniform float occlusionThickness;    // in ray lengths
+uniform float occlusionThickness;    // in radii of the occlusion
 uniform float sceneRadius;
 
 layout(location = 0) out vec4 num;
 layout(location = 1) out vec4 den;
 
-#ifdef HAS_ATLAS
-void sumLights(ivec2 pixel, int group)
+// The surface in a pixel, and how far it must be lifted: a tenth of a pixel, and twice the step of a 24-bit depth buffer.
+struct Receiver {
+    vec3 eye;
+    vec3 normal;
+    float footprint;
+    float bias;
+};
+
+Receiver receiverAt(ivec2 p)
 {
-    // In the world about the atlas's origin
-    vec3 p = vec3(atlasFromEye * vec4(pixelEye(pixel), 1.0));
-    vec3 n = mat3(atlasFromEye) * pixelNormal(pixel);
-    int count = textureSize(atlasLightMap, 0).x;
-    for (int i = 0; i < count; ++i) {
-        AtlasLight light = atlasLight(group, i);
-        float c = dot(n, light.direction);
-        if (c <= 0.0) continue;
-        vec3 e = c * light.flux;
-        den.rgb += e;
-        num.rgb += e * atlasSees(light, p, n, c);
-    }
+    float depth = texelFetch(depthMap, p, 0).r;
+    vec2 ndc = pixelNdc(p);
+    Receiver r;
+    r.eye = eyeFromDepth(inverseProjection, ndc, depth);
+    r.normal = pixelNormal(p);
+    r.footprint = pixelFootprint(inverseProjection, ndc, depth, viewportSize);
+    float quantum = abs(eyeFromDepth(inverseProjection, ndc, depth - 1.2e-7).z - r.eye.z);
+    r.bias = 0.1 * r.footprint + quantum;
+    return r;
 }
+
+Slices pixelSlices(Receiver r, int group)
+{
+    SliceView v;
+    v.projection = projection;
+    v.inverseProjection = inverseProjection;
+    v.size = viewportSize;
+#ifdef HAS_ATLAS
+    v.radius = nearRadius * atlasTexel;
+    v.thickness = 0.25 * v.radius;
+    v.taps = nearTaps;
 #else
-RayMarch rayMarch(ivec2 p, vec3 n)
+    v.radius = occlusionRadius * sceneRadius;
+    v.thickness = occlusionThickness * v.radius;
+    v.taps = occlusionTaps;
+#endif
+    v.slices = occlusionSlices;
+    v.group = group;
+    return slicesOf(depthMap, normalMap, v, r.eye, r.normal, r.bias, r.footprint);
+}
+
+RayMarch pixelRays(Receiver r)
 {
     RayMarch march;
     march.projection = projection;
@@ -46,32 +78,33 @@ RayMarch rayMarch(ivec2 p, vec3 n)
     march.radius = occlusionRadius * sceneRadius;
     march.thickness = occlusionThickness * march.radius;
     march.steps = occlusionSteps;
-    float depth = texelFetch(depthMap, p, 0).r;
-    vec2 ndc = pixelNdc(p);
-    vec3 eye = eyeFromDepth(inverseProjection, ndc, depth);
-    // The lift above the receiver's plane: a tenth of a pixel, and twice the step of a 24-bit depth buffer.
-    float quantum = abs(eyeFromDepth(inverseProjection, ndc, depth - 1.2e-7).z - eye.z);
-    float bias = 0.1 * pixelFootprint(inverseProjection, ndc, depth, viewportSize) + quantum;
-    return rayMarchFrom(march, eye, n, bias);
+    return rayMarchFrom(march, r.eye, r.normal, r.bias);
 }
 
-void sumLights(ivec2 p, int group)
+// Light i of a group: direction in eye space.
+struct Light {
+    vec3 direction;
+    vec3 flux;
+    float solidAngle;
+};
+
+#ifdef HAS_ATLAS
+Light lightOf(AtlasLight a)
 {
-    vec3 n = pixelNormal(p);
-    RayMarch march = rayMarch(p, n);
-    mat3 eyeFromMap = transpose(mapFromEye);
-    vec3 mapNormal = mapFromEye * n;
-    int count = textureSize(occlusionLightMap, 0).x;
-    for (int i = 0; i < count; ++i) {
-        vec3 l = texelFetch(occlusionLightMap, ivec2(i, 2 * group), 0).xyz;
-        float c = dot(mapNormal, l);
-        if (c <= 0.0) continue;
-        vec3 e = c * texelFetch(occlusionLightMap, ivec2(i, 2 * group + 1), 0).rgb;
-        // The points of neighbouring pixels and lights lie between each other.
-        float phase = fract(float(group) * 0.0625 + float(i) * 0.61803399);
-        den.rgb += e;
-        if (rayBlocked(depthMap, march, eyeFromMap * l, phase) < 0.5) num.rgb += e;
-    }
+    Light light;
+    light.direction = transpose(mat3(atlasFromEye)) * a.direction;
+    light.flux = a.flux;
+    light.solidAngle = a.solidAngle;
+    return light;
+}
+#else
+Light lightAt(int group, int i)
+{
+    Light light;
+    light.direction = transpose(mapFromEye) * texelFetch(occlusionLightMap, ivec2(i, 2 * group), 0).xyz;
+    light.flux = texelFetch(occlusionLightMap, ivec2(i, 2 * group + 1), 0).rgb;
+    light.solidAngle = 0.0;
+    return light;
 }
 #endif
 
@@ -81,6 +114,44 @@ void main()
     num = vec4(0.0);
     den = vec4(0.0);
     if (isBackground(p)) return;
-    sumLights(p, bayer4(p.x, p.y));
-    den.a = 1.0;
+
+    Receiver receiver = receiverAt(p);
+    int group = bayer4(p.x, p.y);
+#ifdef OCCLUSION_SLICES
+    Slices slices = pixelSlices(receiver, group);
+#endif
+#ifdef OCCLUSION_RAYS
+    RayMarch march = pixelRays(receiver);
+#endif
+#ifdef HAS_ATLAS
+    vec3 point = vec3(atlasFromEye * vec4(receiver.eye, 1.0));
+    vec3 normal = mat3(atlasFromEye) * receiver.normal;
+    int count = textureSize(atlasLightMap, 0).x;
+#else
+    int count = textureSize(occlusionLightMap, 0).x;
+#endif
+    for (int i = 0; i < count; ++i) {
+#ifdef HAS_ATLAS
+        AtlasLight mapped = atlasLight(group, i);
+        Light light = lightOf(mapped);
+#else
+        Light light = lightAt(group, i);
+#endif
+        float c = dot(receiver.normal, light.direction);
+        if (c <= 0.0) continue;
+        vec4 e = c * vec4(light.flux, light.solidAngle);
+        den += e;
+#ifdef OCCLUSION_SLICES
+        if (sliceBlocks(slices, light.direction)) continue;
+#endif
+#ifdef OCCLUSION_RAYS
+        // The points of neighbouring pixels and lights lie between each other.
+        float phase = fract(float(group) * 0.0625 + float(i) * 0.61803399);
+        if (rayBlocked(depthMap, march, light.direction, phase) > 0.5) continue;
+#endif
+#ifdef HAS_ATLAS
+        if (atlasSees(mapped, point, normal, c) < 0.5) continue;
+#endif
+        num += e;
+    }
 }
