@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The trade of the occlusion term: error against a wall's closed form over points per ray, difference from 8192 lights
-// over the number of lights, and the pass's time for each.
+// The trade of the occlusion term: error against a wall's closed form over points per ray and over slices and taps,
+// difference from 8192 lights over the number of lights, and the pass's time for each.
 #include <SceneRenderer.h>
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <functional>
 
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
@@ -61,16 +62,33 @@ double wallError(SceneRenderer& renderer, LitScene& lit)
     return error;
 }
 
-void steps(benchmark::State& state)
+void measureWall(benchmark::State& state, const std::function<void(Settings&)>& set)
 {
     SceneRenderer renderer(size, size);
     osg::ref_ptr<LitScene> lit = makeWall(constantMap(1.0).get());
-    lit->getSettings()->occlusionSteps = int(state.range(0));
+    set(*lit->getSettings());
     renderer.lookAt(osg::Vec3d(0, -9, 9), osg::Vec3d(), osg::Vec3d(0, 0, 1), 40.0);
     for (auto _ : state) {
         state.SetIterationTime(leastTime(renderer, *lit) * 1e-3);
         state.counters["error_percent"] = 100.0 * wallError(renderer, *lit);
     }
+}
+
+void steps(benchmark::State& state)
+{
+    measureWall(state, [&](Settings& s) {
+        s.occlusionMethod = Settings::RAY;
+        s.occlusionSteps = int(state.range(0));
+    });
+}
+
+void slices(benchmark::State& state)
+{
+    measureWall(state, [&](Settings& s) {
+        s.occlusionMethod = Settings::SLICE;
+        s.occlusionSlices = int(state.range(0));
+        s.occlusionTaps = int(state.range(1));
+    });
 }
 
 // Spheres on a plane under a sun and sky: shadows with a shape.
@@ -105,6 +123,7 @@ void lights(benchmark::State& state)
 }  // namespace
 
 BENCHMARK(steps)->RangeMultiplier(2)->Range(1, 64)->UseManualTime()->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(slices)->ArgsProduct({{1, 2, 4}, {2, 4, 8, 16, 32}})->UseManualTime()->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(lights)
     ->Arg(100)
     ->Arg(200)
