@@ -7,13 +7,13 @@
 // Shadows are told apart from this height on: the 10^-4 of the half cube that separates a first and a second surface.
 #define ATLAS_STEP 5e-5
 
-// Height half-way between the first and the second surface, by their depths; nothing is below a surface that has none
-// behind it, whatever it would hide. guard: how far down open surfaces must not shade themselves, in heights.
+// Height half-way between the first and the second surface, by their depths; the first where none is behind it. guard: by
+// how much an open surface must be let down not to shade itself, in heights.
 float midpointHeight(float firstDepth, float secondDepth, float guard)
 {
-    if (firstDepth >= 1.0 || secondDepth >= 1.0) return 0.0;
+    if (firstDepth >= 1.0) return 0.0;
     float first = 1.0 - firstDepth;
-    float middle = 0.5 * (first + 1.0 - secondDepth);
+    float middle = secondDepth < 1.0 ? 0.5 * (first + 1.0 - secondDepth) : first;
     return max(min(middle, first - guard), 0.0);
 }
 
