@@ -27,11 +27,6 @@ bool isDepthOnly(const osg::Camera* camera)
     return true;
 }
 
-bool isOrthographic(const osg::Matrixd& projection)
-{
-    return projection(2, 3) == 0.0;
-}
-
 }  // namespace
 
 DeferredTechnique::DeferredTechnique() : _sorter(new SurfaceSorter), _failure(new Failure), _settings(new Settings)
@@ -74,8 +69,7 @@ try {
     const double radius = node.getBound().valid() ? double(node.getBound().radius()) : 0.0;
     const osg::Matrixd worldFromEye =
         host->getInitialViewMatrix() ? osg::Matrixd::inverse(*host->getInitialViewMatrix()) : osg::Matrixd();
-    c.frame.setUniforms(*settings, radius, radianceScale, *textures, worldFromEye * c.mapFromWorld,
-                        isOrthographic(*cv.getProjectionMatrix()));
+    c.frame.setUniforms(*settings, radius, radianceScale, *textures, worldFromEye * c.mapFromWorld);
     lock.unlock();
 
     std::vector<ForwardGraph> forward;

@@ -22,21 +22,20 @@ Frame::Frame()
       _radianceScale(new osg::Uniform("radianceScale", 0.0f)),
       _pyramidSide(new osg::Uniform("pyramidSide", 0.0f)),
       _pyramidLastLevel(new osg::Uniform("pyramidLastLevel", 0.0f)),
-      _mapFromEye(new osg::Uniform(osg::Uniform::FLOAT_MAT3, "mapFromEyeForward")),
-      _orthographic(new osg::Uniform("orthographic", 0))
+      _mapFromEye(new osg::Uniform(osg::Uniform::FLOAT_MAT3, "mapFromEyeForward"))
 {
     for (const Settings::Property& p : Settings::table()) {
         const bool real = std::holds_alternative<float Settings::*>(p.member);
         _settings.push_back(new osg::Uniform(real ? osg::Uniform::FLOAT : osg::Uniform::INT, p.name));
         uniforms->addUniform(_settings.back());
     }
-    for (osg::Uniform* u : {_sceneRadius.get(), _radianceScale.get(), _pyramidSide.get(), _pyramidLastLevel.get(),
-                            _mapFromEye.get(), _orthographic.get()})
+    for (osg::Uniform* u :
+         {_sceneRadius.get(), _radianceScale.get(), _pyramidSide.get(), _pyramidLastLevel.get(), _mapFromEye.get()})
         uniforms->addUniform(u);
 }
 
 void Frame::setUniforms(const Settings& settings, double sceneRadius, double radianceScale, const MapTextures& textures,
-                        const osg::Matrixd& mapFromEye, bool orthographic)
+                        const osg::Matrixd& mapFromEye)
 {
     const auto& table = Settings::table();
     for (size_t i = 0; i < table.size(); ++i) {
@@ -54,7 +53,6 @@ void Frame::setUniforms(const Settings& settings, double sceneRadius, double rad
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) m(i, j) = float(mapFromEye(i, j));
     _mapFromEye->set(m);
-    _orthographic->set(orthographic ? 1 : 0);
 }
 
 osg::StateSet& Frame::atlasState(const ShadowAtlas& atlas, double scale)

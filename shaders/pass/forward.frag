@@ -20,14 +20,13 @@ uniform float pyramidLastLevel;
 uniform vec3 shCoefficients[18];
 uniform float radianceScale;
 uniform mat3 mapFromEyeForward;
-uniform int orthographic;
 
 layout(location = 0) out vec4 color;
 
 void main()
 {
     Surface s = readSurface();
-    vec3 v = orthographic != 0 ? vec3(0.0, 0.0, 1.0) : -normalize(eyePosition);
+    vec3 v = -s.ray;
     float cosV = max(dot(s.normal, v), 1e-4);
     vec3 radiance = s.emission;
     vec3 through = vec3(1.0);

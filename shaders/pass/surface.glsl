@@ -4,6 +4,7 @@
 #ifndef SURFACE_GLSL
 #define SURFACE_GLSL
 
+#include "lib/depth.glsl"
 #include "lib/phong.glsl"
 #include "lib/tone.glsl"
 #include "pass/brdf.glsl"
@@ -31,20 +32,22 @@ in vec2 textureCoordinate;
 struct Surface {
     vec3 albedo;     // of the Lambert term
     float alpha;     // coverage
-    vec3 normal;     // eye space, unit, towards the eye
+    vec3 ray;        // eye space, unit, away from the eye
+    vec3 normal;     // eye space, unit, against the ray
     float roughness; // of the lobe
     vec3 f0;         // colour of the lobe at normal incidence
     int brdf;        // BRDF_LAMBERT, BRDF_PHONG, BRDF_COOK_TORRANCE
     vec3 emission;   // radiance
 };
 
-// Unit normal on the eye's side. The facet's own side decides, not gl_FrontFacing, which a mirroring transform inverts.
-vec3 surfaceNormal()
+// Unit normal on the side that the view ray meets. The facet's own side decides, not gl_FrontFacing, which a mirroring
+// transform inverts.
+vec3 surfaceNormal(vec3 ray)
 {
     vec3 facet = cross(dFdx(eyePosition), dFdy(eyePosition));
     float facetLength = length(facet);
     facet = facetLength > 0.0 ? facet / facetLength : vec3(0.0, 0.0, 1.0);
-    if (dot(facet, eyePosition) > 0.0) facet = -facet;
+    if (dot(facet, ray) > 0.0) facet = -facet;
 #ifdef FACE_NORMAL
     return facet;
 #else
@@ -82,7 +85,8 @@ vec4 surfaceColor(vec4 material)
 Surface readSurface()
 {
     Surface s;
-    s.normal = surfaceNormal();
+    s.ray = viewRayAt(gl_ProjectionMatrixInverse, eyePosition);
+    s.normal = surfaceNormal(s.ray);
     s.roughness = 1.0;
     s.f0 = vec3(0.0);
     s.brdf = BRDF_LAMBERT;

@@ -157,6 +157,32 @@ TEST_F(Surfaces, BackFacesMissingNormalsAndMirroredTransformsAreLitFromTheirSeen
     }
 }
 
+TEST_F(Surfaces, ParallelRaysMeetTheSideThatFacesThem)
+{
+    // A plane right of the axis that parallel rays meet from its right, while a line from the middle of the lens would meet
+    // it from its left. Light comes from its right only: a normal on the other side would be black.
+    const osg::Vec3d normal(0.9, -0.4, 0.0);
+    const auto map = makeMap(64, 32, [&](const osg::Vec3d& d) { return d * normal > 0 ? osg::Vec3d(1, 1, 1) : osg::Vec3d(); });
+    osg::Camera& camera = *renderer.viewer().getCamera();
+    camera.setViewMatrixAsLookAt(osg::Vec3d(0, -4, 0), osg::Vec3d(), osg::Vec3d(0, 0, 1));
+    camera.setProjectionMatrixAsOrtho(1.5, 2.5, -0.5, 0.5, 1.0, 100.0);
+    for (bool transparent : {false, true})
+        for (double sense : {1.0, -1.0}) {
+            const osg::ref_ptr<LitScene> lit = makeLit(map.get());
+            lit->getSettings()->occlusion = false;
+            const osg::ref_ptr<osg::Geode> plane =
+                makeQuad(osg::Vec3d(1.2, -1.8, -2 * sense), osg::Vec3d(1.6, 3.6, 0), osg::Vec3d(0, 0, 4 * sense));
+            osg::StateSet& s = *plane->getOrCreateStateSet();
+            Material::setLambert(s, osg::Vec3f(1, 1, 1));
+            if (transparent) {
+                s.setMode(GL_BLEND, osg::StateAttribute::ON);
+                s.setRenderingHint(osg::StateSet::TRANSPARENT_BIN);
+            }
+            lit->addChild(plane);
+            EXPECT_NEAR(centre(renderer, lit)[0], 1.0, 0.01) << "transparent " << transparent << ", winding " << sense;
+        }
+}
+
 TEST_F(Surfaces, AlphaTestCutsHoles)
 {
     osg::ref_ptr<LitScene> lit = whiteFurnace();
