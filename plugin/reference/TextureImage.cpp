@@ -29,6 +29,17 @@ int wrapped(int i, int n, osg::Texture::WrapMode mode)
     }
 }
 
+// The image that OpenGL gets: unless told otherwise, osg::Texture scales to powers of two whatever the context supports.
+// Not its cap to the largest size that the context has.
+osg::ref_ptr<const osg::Image> uploaded(const osg::Image& image, bool powersOfTwo)
+{
+    const int s = osg::Image::computeNearestPowerOfTwo(image.s()), t = osg::Image::computeNearestPowerOfTwo(image.t());
+    if (!powersOfTwo || (s == image.s() && t == image.t())) return &image;
+    const osg::ref_ptr<osg::Image> result = new osg::Image(image, osg::CopyOp::DEEP_COPY_ALL);
+    result->scaleImage(s, t, 1);
+    return result;
+}
+
 bool mipmapped(osg::Texture::FilterMode mode)
 {
     return mode != osg::Texture::LINEAR && mode != osg::Texture::NEAREST;
@@ -60,33 +71,43 @@ std::shared_ptr<const TextureImage> TextureImage::create(const osg::Texture& tex
         const GLint format = texture.getInternalFormat();
         const bool decodedByFormat = format == GL_SRGB8 || format == GL_SRGB8_ALPHA8;
         t->_decode = !linear;
-        Level level{image->s(), image->t(), {}};
+        const osg::ref_ptr<const osg::Image> resized = uploaded(*image, texture.getResizeNonPowerOfTwoHint());
+        Level level{resized->s(), resized->t(), {}};
         level.texels.reserve(size_t(level.width) * size_t(level.height));
         for (unsigned y = 0; y < unsigned(level.height); ++y)
             for (unsigned x = 0; x < unsigned(level.width); ++x) {
-                const osg::Vec4 c = image->getColor(x, y);
+                const osg::Vec4 c = resized->getColor(x, y);
                 const glm::vec4 texel(c.r(), c.g(), c.b(), c.a());
                 level.texels.push_back(decodedByFormat ? decoded(texel) : texel);
             }
         t->_levels.push_back(std::move(level));
-        while (mipmapped(t->_minFilter) && (t->_levels.back().width > 1 || t->_levels.back().height > 1)) {
-            const Level& fine = t->_levels.back();
-            Level next{std::max(fine.width / 2, 1), std::max(fine.height / 2, 1), {}};
-            for (int y = 0; y < next.height; ++y)
-                for (int x = 0; x < next.width; ++x) {
-                    glm::vec4 sum(0.0f);
-                    for (int k = 0; k < 4; ++k) {
-                        const int fx = std::min(2 * x + (k & 1), fine.width - 1);
-                        const int fy = std::min(2 * y + (k >> 1), fine.height - 1);
-                        sum += fine.texels[size_t(fy) * size_t(fine.width) + size_t(fx)];
-                    }
-                    next.texels.push_back(0.25f * sum);
-                }
-            t->_levels.push_back(std::move(next));
-        }
+        while (mipmapped(t->_minFilter) && (t->_levels.back().width > 1 || t->_levels.back().height > 1))
+            t->_levels.push_back(halved(t->_levels.back()));
         return t;
     }
     return nullptr;
+}
+
+TextureImage::Level TextureImage::halved(const Level& fine)
+{
+    Level result{std::max(fine.width / 2, 1), std::max(fine.height / 2, 1), {}};
+    const double stepX = double(fine.width) / result.width;
+    const double stepY = double(fine.height) / result.height;
+    for (int y = 0; y < result.height; ++y)
+        for (int x = 0; x < result.width; ++x) {
+            // The mean over the texel's part of the image: of an odd number of texels, more than two.
+            glm::dvec4 sum(0.0);
+            const double left = x * stepX, right = std::min(left + stepX, double(fine.width));
+            const double low = y * stepY, high = std::min(low + stepY, double(fine.height));
+            for (int fy = int(low); fy < high; ++fy)
+                for (int fx = int(left); fx < right; ++fx) {
+                    const double h = std::min(fy + 1.0, high) - std::max(double(fy), low);
+                    const double w = std::min(fx + 1.0, right) - std::max(double(fx), left);
+                    sum += w * h * glm::dvec4(fine.texels[size_t(fy) * size_t(fine.width) + size_t(fx)]);
+                }
+            result.texels.push_back(glm::vec4(sum / (stepX * stepY)));
+        }
+    return result;
 }
 
 glm::dvec4 TextureImage::texel(const Level& level, int s, int t) const
