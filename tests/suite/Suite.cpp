@@ -13,7 +13,9 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <random>
 #include <stdexcept>
+#include <tuple>
 
 namespace suite
 {
@@ -114,6 +116,46 @@ double silhouette(const Picture& a, const Picture& b)
     return double(differing) / double(a.pixels());
 }
 
+// Standard deviations that a figure's noise counts for.
+const double deviations = 3.0;
+
+// The mean square error over pixels that each have noise s^2 subtracted varies by s^2 sqrt(2 / pixels).
+double noiseOf(double standardError, size_t pixels)
+{
+    return pixels > 0 ? standardError * std::sqrt(deviations * std::sqrt(2.0 / double(pixels))) : 0.0;
+}
+
+// That of relMSE, whose pixels differ widely.
+double relativeNoise(const Estimate& estimate, const Mask& mask, double meanLuminance)
+{
+    const double least = 1e-4 * meanLuminance * meanLuminance;
+    double squares = 0.0;
+    for (int y = 0; y < estimate.mean.height; ++y)
+        for (int x = 0; x < estimate.mean.width; ++x) {
+            if (!mask.at(x, y)) continue;
+            double square = 0.0;
+            for (int k = 0; k < 3; ++k) {
+                const double value = estimate.mean.color(x, y)[k], error = estimate.error.color(x, y)[k];
+                square += error * error / (value * value + least) / 3.0;
+            }
+            squares += square * square;
+        }
+    return mask.pixels() > 0 ? std::sqrt(deviations * std::sqrt(2.0 * squares) / double(mask.pixels())) : 0.0;
+}
+
+// With noise of the estimate's own standard error added to it.
+Picture noisier(const Estimate& estimate)
+{
+    std::mt19937 random(1);
+    std::normal_distribution<float> normal;
+    Picture result = estimate.mean;
+    for (size_t i = 0; i < result.pixels(); ++i) {
+        const float deviation = normal(random);
+        for (size_t k = 0; k < 3; ++k) result.rgba[4 * i + k] += deviation * estimate.error.rgba[4 * i + k];
+    }
+    return result;
+}
+
 // Measures one scene under one map.
 class Measurement
 {
@@ -141,14 +183,13 @@ class Measurement
         r.stops = osgEnvLight::automaticExposure(r.reference, both);
         const ErrorFigures e = errorOf(r.picture, r.inside);
         r.figures[REL_MSE] = e.relMse;
+        r.noise[REL_MSE] = relativeNoise(_truth.beauty, r.inside, e.meanLuminance);
         r.figures[TONED] = e.tRmse;
-        r.noise = e.tNoise;
-        r.figures[DISSIMILARITY] =
-            1.0 - osgEnvLight::mean(osgEnvLight::ssim(r.picture, r.reference, r.stops), Mask::geometry(r.reference));
+        r.noise[TONED] = noiseOf(e.tNoise, e.pixels);
+        r.figures[DISSIMILARITY] = dissimilarity(r.picture, r.stops);
+        r.dissimilarNoise = dissimilarity(noisier(_truth.beauty), r.stops);
         r.figures[SILHOUETTE] = silhouette(r.picture, r.reference);
-        r.figures[DIFFUSE] = termError(Settings::DIFFUSE);
-        r.figures[SPECULAR] = termError(Settings::SPECULAR);
-        r.figures[OCCLUSION] = termError(Settings::OCCLUSION);
+        for (Figure term : {DIFFUSE, SPECULAR, OCCLUSION}) std::tie(r.figures[term], r.noise[term]) = termError(term);
         runWithLess(r);
     }
 
@@ -166,18 +207,23 @@ class Measurement
         return osgEnvLight::compare(picture, _truth.beauty.mean, _truth.beauty.error, mask);
     }
 
-    double termError(Settings::View view)
+    double dissimilarity(const Picture& picture, double stops) const
     {
-        _settings.view = view;
+        const Picture& reference = _truth.beauty.mean;
+        return 1.0 - osgEnvLight::mean(osgEnvLight::ssim(picture, reference, stops), Mask::geometry(reference));
+    }
+
+    // With its noise.
+    std::pair<double, double> termError(Figure term)
+    {
+        const Estimate& truth = term == DIFFUSE ? _truth.diffuse : term == SPECULAR ? _truth.specular : _truth.occlusion;
+        _settings.view = term == DIFFUSE ? Settings::DIFFUSE : term == SPECULAR ? Settings::SPECULAR : Settings::OCCLUSION;
         const Picture picture = _renderer.render(&_lit);
         _settings.view = Settings::BEAUTY;
-        const Estimate& truth = view == Settings::DIFFUSE    ? _truth.diffuse
-                                : view == Settings::SPECULAR ? _truth.specular
-                                                             : _truth.occlusion;
         const ErrorFigures e = osgEnvLight::compare(picture, truth.mean, truth.error, _deferred);
-        if (view == Settings::SPECULAR) return e.tRmse;
+        if (term == SPECULAR) return {e.tRmse, noiseOf(e.tNoise, e.pixels)};
         const double light = osgEnvLight::compare(_truth.diffuse.mean, _truth.diffuse.mean, _deferred).mean;
-        return light > 0.0 ? e.rmse / light : 0.0;
+        return light > 0.0 ? std::pair(e.rmse / light, noiseOf(e.noise, e.pixels) / light) : std::pair(0.0, 0.0);
     }
 
     void runWithLess(Result& r)
@@ -185,11 +231,9 @@ class Measurement
         _settings.occlusion = false;
         r.withoutOcclusion = errorOf(_renderer.render(&_lit), r.inside).tRmse;
         _settings.occlusion = true;
-        _settings.occlusionSteps /= 2;
-        r.halfSteps = termError(Settings::OCCLUSION);
-        _settings.occlusionSteps *= 2;
+        if (r.figures[SPECULAR] == 0.0) return;  // nothing glossy
         _settings.specularSamples /= 2;
-        r.halfSamples = termError(Settings::SPECULAR);
+        r.halfSamples = termError(SPECULAR).first;
         _settings.specularSamples *= 2;
     }
 
@@ -222,9 +266,20 @@ std::string Row::name() const
     return *variation.name ? base + "_" + variation.name : base;
 }
 
+namespace
+{
+
+std::map<const Row*, Result> results;
+
+}  // namespace
+
+bool hasResult(const Row& row)
+{
+    return results.count(&row) > 0;
+}
+
 const Result& result(const Row& row)
 {
-    static std::map<const Row*, Result> results;
     const auto found = results.find(&row);
     return found != results.end() ? found->second : results.emplace(&row, measure(row)).first->second;
 }

@@ -6,26 +6,26 @@
 #include <metrics/Picture>
 
 #include <array>
+#include <map>
 #include <string>
 #include <vector>
 
 namespace suite
 {
 
-/** Errors of a row: smaller is better. */
+/** Errors of a row: smaller is better.
+ *
+ * Where hardly any light is left, as in rooms, relMSE tells nothing: a thousandth of light too much costs a million. tRMSE
+ * counts such a pixel as 1 at most, and so moves with the share of the picture that is lit as it should be. O says how much of
+ * that the occlusion misses: 1 is a picture without any. D and S have no occlusion: they say that the light itself is right.*/
 enum Figure {
-    REL_MSE,        // of the picture, over geometry without edges; a thousandth of light
-                    // where there is none costs a million
-    TONED,          // root mean square error of the picture as a tone curve shows it,
-                    // likewise
-    DISSIMILARITY,  // 1 - mean SSIM of the picture over geometry
-    DIFFUSE,        // root mean square error of D over the mean of D, without edges and
-                    // transparent surfaces
-    SPECULAR,       // that of S, unoccluded, as a tone curve shows it; 0 where nothing
-                    // is glossy
+    REL_MSE,        // of the picture, over geometry without edges
+    TONED,          // root mean square error of the picture as a tone curve shows it, likewise
+    DISSIMILARITY,  // 1 - mean SSIM of the picture over geometry; the reference's noise is in it
+    DIFFUSE,        // root mean square error of D over the mean of D, without edges and transparent surfaces
+    SPECULAR,       // that of S, unoccluded, as a tone curve shows it; 0 where nothing is glossy
     OCCLUSION,      // root mean square error of O over the mean of D
-    SILHOUETTE,     // share of the pixels of which only one of the two pictures says
-                    // that they show geometry
+    SILHOUETTE,     // share of the pixels of which only one of the two pictures says that they show geometry
     NUM_FIGURES
 };
 using Figures = std::array<double, NUM_FIGURES>;
@@ -59,26 +59,36 @@ struct Result {
     osgEnvLight::Mask inside;  // geometry without edges
     double stops = 0.0;        // exposure
     Figures figures{};
-    double noise = 0.0;             // of the reference, in the measure of TONED, from which
-                                    // it is subtracted
+    Figures noise{};                // what the reference's noise can add in quadrature to an error: 3 standard deviations
+    double dissimilarNoise = 0.0;   // 1 - mean SSIM of the reference and the reference with as much noise again
     double withoutOcclusion = 0.0;  // TONED without O
-    double halfSteps = 0.0;         // OCCLUSION with half the occlusionSteps
     double halfSamples = 0.0;       // SPECULAR with half the specularSamples
     double seconds = 0.0;
 };
 
 /** Rendered and compared at the first call. */
 const Result& result(const Row& row);
+/** Whether there was one. */
+bool hasResult(const Row& row);
 
 const int width = 96;
 const int height = 72;
 
-/** For the eye: a line of pictures per scene, and for each map ours, the
- * reference, and the difference (red: ours is brighter). Throws
- * std::runtime_error if it can't be written.*/
-void writeContactSheet(const std::string& fileName);
+/** The figures of a file that writeMeasured() wrote, by the row's name. Throws std::runtime_error if it can't be read. */
+std::map<std::string, Figures> readMeasured(const std::string& fileName);
 
-/** All figures. Throws std::runtime_error if it can't be written. */
-void writeTable(const std::string& fileName);
+/** The figures of all rows. Lines of rows that are not installed are kept from the file that was there. Throws
+ * std::runtime_error if it can't be written.*/
+void writeMeasured(const std::string& fileName);
+
+/** The most that a figure may be, from what was measured, when the figure's noise is what it is. */
+double bound(Figure figure, double measured, double noise);
+
+/** Whether bound() means anything, see Figure. */
+bool bounded(Figure figure, double measured);
+
+/** For the eye: a line of pictures per scene, and for each map ours, the reference, and the difference (red: ours is brighter);
+ * of the rows that have a result. Throws std::runtime_error if it can't be written.*/
+void writeContactSheet(const std::string& fileName);
 
 }  // namespace suite

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "SuiteScenes.h"
 
+#include "Suite.h"
+
+#include <osg/Geometry>
+
 #include <osgDB/FileUtils>
 #include <osgDB/ReadFile>
 
@@ -29,8 +33,9 @@ SuiteScene demonstration(const std::string& name)
 {
     SuiteScene scene;
     const std::string file = std::string(ENVLIGHT_BINARY_DIR "/scenes/") + name + ".envlight";
+    if (!osgDB::fileExists(file)) return scene;
     scene.lit = dynamic_cast<LitScene*>(osgDB::readRefNodeFile(file).get());
-    if (!scene.lit || !scene.lit->getHomeView()) throw std::runtime_error(file + ": no scene with a view; is it built?");
+    if (!scene.lit || !scene.lit->getHomeView()) throw std::runtime_error(file + ": no scene with a view");
     scene.eye = scene.lit->getHomeView()->eye;
     scene.target = scene.lit->getHomeView()->target;
     scene.fovy = scene.lit->getHomeView()->fovy;
@@ -39,10 +44,51 @@ SuiteScene demonstration(const std::string& name)
 
 struct Model {
     const char* file;
-    Vec3d towardsEye;  // from the middle of the model
+    Vec3d towardsEye;
 };
 
-// Seen from so far that its bounding sphere fills the view.
+class Vertices : public osg::NodeVisitor
+{
+  public:
+    Vertices() : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN) {}
+    void apply(osg::Geometry& geometry) override
+    {
+        const osg::Matrixd worldFromLocal = osg::computeLocalToWorld(getNodePath());
+        if (const auto* vertices = dynamic_cast<const osg::Vec3Array*>(geometry.getVertexArray()))
+            for (const osg::Vec3& v : *vertices) world.push_back(Vec3d(v) * worldFromLocal);
+    }
+
+    std::vector<Vec3d> world;
+};
+
+// The nearest eye from which a view along -towards, with +Z up, has all vertices inside its middle nine tenths.
+void fitView(osg::Node& node, const Vec3d& towards, SuiteScene& scene)
+{
+    Vertices vertices;
+    node.accept(vertices);
+    Vec3d back = towards;
+    back.normalize();
+    Vec3d axes[2] = {Vec3d(0, 0, 1) ^ back, Vec3d()};
+    axes[0].normalize();
+    axes[1] = back ^ axes[0];
+    const double tangent = 0.9 * std::tan(osg::DegreesToRadians(0.5 * scene.fovy));
+    const double slopes[2] = {tangent * width / height, tangent};
+    double distance = 0.0;
+    scene.eye = Vec3d();
+    for (int k = 0; k < 2; ++k) {
+        // v lies between the planes |v . axis - eye . axis| = slope (eye . back - v . back).
+        double left = -1e30, right = -1e30;
+        for (const Vec3d& v : vertices.world) {
+            left = std::max(left, slopes[k] * (v * back) - v * axes[k]);
+            right = std::max(right, slopes[k] * (v * back) + v * axes[k]);
+        }
+        scene.eye += axes[k] * (0.5 * (right - left));
+        distance = std::max(distance, 0.5 * (right + left) / slopes[k]);
+    }
+    scene.eye += back * distance;
+    scene.target = scene.eye - back;
+}
+
 SuiteScene modelScene(const Model& model)
 {
     const std::string file = std::string("/usr/share/assimp/models/") + model.file;
@@ -51,11 +97,7 @@ SuiteScene modelScene(const Model& model)
     const osg::ref_ptr<osg::Node> node = osgDB::readRefNodeFile(file);
     if (!node) throw std::runtime_error(file + ": OpenSceneGraph can't read it");
     scene.lit->addChild(node);
-    const osg::BoundingSphere bound = node->getBound();
-    Vec3d towards = model.towardsEye;
-    towards.normalize();
-    scene.target = bound.center();
-    scene.eye = scene.target + towards * (double(bound.radius()) / std::sin(osg::DegreesToRadians(0.5 * scene.fovy)));
+    fitView(*node, model.towardsEye, scene);
     return scene;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The suite for the eye, and as a table.
+// The suite for the eye.
 #include "Suite.h"
 
 #include <metrics/Display>
@@ -9,9 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <locale>
-#include <stdexcept>
 
 namespace suite
 {
@@ -55,6 +52,7 @@ void writeContactSheet(const std::string& fileName)
     std::fill(sheet.rgba.begin(), sheet.rgba.end(), 1.0f);
     for (size_t line = 0; line < all.size(); ++line)
         for (size_t column = 0; column < all[line].size(); ++column) {
+            if (!hasResult(*all[line][column])) continue;
             const Result& r = result(*all[line][column]);
             if (!r.installed) continue;
             const int x = int(column) * stepX;
@@ -65,25 +63,6 @@ void writeContactSheet(const std::string& fileName)
             paste(osgEnvLight::signedDifference(r.picture, r.reference, 0.25 * std::exp2(-r.stops)), x + 2 * width, y, sheet);
         }
     writeImageFile(*osgEnvLight::eightBit(sheet), fileName);
-}
-
-void writeTable(const std::string& fileName)
-{
-    std::ofstream out(fileName);
-    out.imbue(std::locale::classic());
-    out << "row";
-    for (const char* name : figureNames) out << "," << name;
-    out << ",noise of the reference,tRMSE without O,O at half the steps,S at half the samples,seconds,why\n";
-    for (const Row& row : rows()) {
-        const Result& r = result(row);
-        if (!r.installed) continue;
-        out << row.name();
-        for (double figure : r.figures) out << "," << figure;
-        out << "," << r.noise << "," << r.withoutOcclusion << "," << r.halfSteps << "," << r.halfSamples << "," << r.seconds
-            << ",\"" << row.why << "\"\n";
-    }
-    out.close();
-    if (!out) throw std::runtime_error(fileName + ": can't be written");
 }
 
 }  // namespace suite

@@ -4,6 +4,15 @@
 namespace suite
 {
 
+namespace
+{
+
+const char* const roomsWalls = "nothing out of the picture, and no wall behind the camera, occludes on the screen";
+const char* const atriumsRoof = "roof and walls out of the picture occlude nothing on the screen";
+const char* const thinLegs = "legs a pixel wide, beside which the rasteriser and a ray may see another one";
+
+}  // namespace
+
 const std::vector<Row>& rows()
 {
     static const std::vector<Row> table = {
@@ -15,18 +24,10 @@ const std::vector<Row>& rows()
         {"post", "studio"},
         {"post", "courtyard"},
         {"post", "interior"},
-        {"room", "sky",
-         "nothing out of the picture, and no wall behind the camera, occludes on "
-         "the screen"},
-        {"room", "studio",
-         "nothing out of the picture, and no wall behind the camera, occludes on "
-         "the screen"},
-        {"room", "courtyard",
-         "nothing out of the picture, and no wall behind the camera, occludes on "
-         "the screen"},
-        {"room", "interior",
-         "nothing out of the picture, and no wall behind the camera, occludes on "
-         "the screen"},
+        {"room", "sky", roomsWalls},
+        {"room", "studio", roomsWalls},
+        {"room", "courtyard", roomsWalls},
+        {"room", "interior", roomsWalls},
         {"stairs", "sky"},
         {"stairs", "studio"},
         {"stairs", "courtyard"},
@@ -51,27 +52,19 @@ const std::vector<Row>& rows()
         {"chess", "studio"},
         {"chess", "courtyard"},
         {"chess", "interior"},
-        {"atrium", "sky", "roof and walls out of the picture occlude nothing on the screen"},
-        {"atrium", "studio", "roof and walls out of the picture occlude nothing on the screen"},
-        {"atrium", "courtyard", "roof and walls out of the picture occlude nothing on the screen"},
-        {"atrium", "interior", "roof and walls out of the picture occlude nothing on the screen"},
+        {"atrium", "sky", atriumsRoof},
+        {"atrium", "studio", atriumsRoof},
+        {"atrium", "courtyard", atriumsRoof},
+        {"atrium", "interior", atriumsRoof},
         {"swing", "sky"},
         {"swing", "studio"},
         {"swing", "courtyard"},
         {"swing", "interior"},
         {"spheres", "studio"},
-        {"spider", "sky",
-         "legs a pixel wide, beside which the rasteriser and a ray may see "
-         "another one"},
-        {"spider", "studio",
-         "legs a pixel wide, beside which the rasteriser and a ray may see "
-         "another one"},
-        {"spider", "courtyard",
-         "legs a pixel wide, beside which the rasteriser and a ray may see "
-         "another one"},
-        {"spider", "interior",
-         "legs a pixel wide, beside which the rasteriser and a ray may see "
-         "another one"},
+        {"spider", "sky", thinLegs},
+        {"spider", "studio", thinLegs},
+        {"spider", "courtyard", thinLegs},
+        {"spider", "interior", thinLegs},
         {"wuson", "sky"},
         {"wuson", "studio"},
         {"wuson", "courtyard"},

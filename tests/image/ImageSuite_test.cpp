@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// Fifteen scenes under four maps, beside the ray-traced reference: no figure of tests/suite/measured.csv gets worse. Whoever
+// changes what the pictures look like writes it anew, and sees in its diff where they are nearer the truth and where not:
+//   envlight_image_suite --table tests/suite/measured.csv
+#include "Suite.h"
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+
+using suite::Figure;
+using suite::Figures;
+using suite::Result;
+using suite::Row;
+
+namespace suite
+{
+
+// GoogleTest prints a test's parameter.
+std::ostream& operator<<(std::ostream& out, const Row& row)
+{
+    return out << row.name();
+}
+
+}  // namespace suite
+
+namespace
+{
+
+const char* const measuredFile = ENVLIGHT_SOURCE_DIR "/tests/suite/measured.csv";
+const char* const sheetFile = ENVLIGHT_BINARY_DIR "/image-suite.png";
+
+const Figures* measuredOf(const Row& row)
+{
+    static const auto measured = suite::readMeasured(measuredFile);
+    const auto found = measured.find(row.name());
+    return found != measured.end() ? &found->second : nullptr;
+}
+
+// Installed rows in which the light is such that the figure says something.
+template <class Function>
+int forRows(Function function)
+{
+    int count = 0;
+    for (const Row& row : suite::rows())
+        if (suite::result(row).installed) {
+            ++count;
+            function(row, suite::result(row));
+        }
+    return count;
+}
+
+// For the eye, of what has been rendered.
+class ContactSheet : public testing::Environment
+{
+  public:
+    void TearDown() override
+    {
+        bool any = false;
+        for (const Row& row : suite::rows()) any = any || suite::hasResult(row);
+        if (!any) return;
+        suite::writeContactSheet(sheetFile);
+        std::cout << "pictures, ours, reference, difference: " << sheetFile << "\n";
+    }
+};
+
+const testing::Environment* const contactSheet = testing::AddGlobalTestEnvironment(new ContactSheet);
+
+}  // namespace
+
+class ImageSuite : public testing::TestWithParam<Row>
+{
+};
+
+TEST_P(ImageSuite, IsNoWorseThanMeasured)
+{
+    // Rows are kept by their address in the table.
+    const Row* row = nullptr;
+    for (const Row& r : suite::rows())
+        if (r.name() == GetParam().name()) row = &r;
+    const Result& r = suite::result(*row);
+    if (!r.installed) GTEST_SKIP() << "its scene or its map is not installed";
+    const Figures* measured = measuredOf(*row);
+    ASSERT_TRUE(measured) << "not in " << measuredFile;
+    for (int i = 0; i < suite::NUM_FIGURES; ++i) {
+        const Figure f = Figure(i);
+        if (!suite::bounded(f, (*measured)[f])) continue;
+        EXPECT_LE(r.figures[f], suite::bound(f, (*measured)[f], r.noise[f]))
+            << suite::figureNames[f] << ", measured " << (*measured)[f] << (*row->why ? ": " : "") << row->why;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Rows, ImageSuite, testing::ValuesIn(suite::rows()),
+                         [](const auto& parameter) { return parameter.param.name(); });
+
+// Bounds that the pictures have left far behind bound nothing.
+TEST(ImageSuiteTable, IsNotFarBetterThanMeasured)
+{
+    Figures now{}, before{};
+    ASSERT_GT(forRows([&](const Row& row, const Result& r) {
+                  const Figures* measured = measuredOf(row);
+                  if (!measured) return;
+                  for (size_t f = 0; f < now.size(); ++f) now[f] += r.figures[f], before[f] += (*measured)[f];
+              }),
+              0);
+    for (Figure f : {suite::TONED, suite::DISSIMILARITY, suite::DIFFUSE, suite::SPECULAR, suite::OCCLUSION})
+        EXPECT_GE(now[f], before[f] / 1.15) << suite::figureNames[f] << ": better; write " << measuredFile << " anew";
+}
+
+TEST(ImageSuiteTable, OcclusionBringsThePictureNearerTheReference)
+{
+    double with = 0.0, without = 0.0;
+    std::ostringstream worse;
+    const int count = forRows([&](const Row& row, const Result& r) {
+        with += r.figures[suite::TONED];
+        without += r.withoutOcclusion;
+        if (r.figures[suite::TONED] > 1.05 * r.withoutOcclusion + r.noise[suite::TONED]) worse << " " << row.name();
+    });
+    ASSERT_GT(count, 0);
+    EXPECT_LT(with, 0.92 * without);
+    EXPECT_EQ("", worse.str());
+}
+
+TEST(ImageSuiteTable, HalfTheSpecularSamplesAreWorse)
+{
+    double all = 0.0, half = 0.0;
+    forRows([&](const Row&, const Result& r) {
+        if (r.halfSamples > 0.0) all += r.figures[suite::SPECULAR], half += r.halfSamples;
+    });
+    if (half == 0.0) GTEST_SKIP() << "nothing glossy is installed";
+    EXPECT_LT(all, 0.8 * half);
+}
