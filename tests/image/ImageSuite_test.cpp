@@ -15,17 +15,6 @@ using suite::Figures;
 using suite::Result;
 using suite::Row;
 
-namespace suite
-{
-
-// GoogleTest prints a test's parameter.
-std::ostream& operator<<(std::ostream& out, const Row& row)
-{
-    return out << row.name();
-}
-
-}  // namespace suite
-
 namespace
 {
 
@@ -39,7 +28,7 @@ const Figures* measuredOf(const Row& row)
     return found != measured.end() ? &found->second : nullptr;
 }
 
-// Installed rows in which the light is such that the figure says something.
+// Of the installed rows; how many they are.
 template <class Function>
 int forRows(Function function)
 {
@@ -70,30 +59,28 @@ const testing::Environment* const contactSheet = testing::AddGlobalTestEnvironme
 
 }  // namespace
 
-class ImageSuite : public testing::TestWithParam<Row>
+// Of the index of a row.
+class ImageSuite : public testing::TestWithParam<size_t>
 {
 };
 
 TEST_P(ImageSuite, IsNoWorseThanMeasured)
 {
-    // Rows are kept by their address in the table.
-    const Row* row = nullptr;
-    for (const Row& r : suite::rows())
-        if (r.name() == GetParam().name()) row = &r;
-    const Result& r = suite::result(*row);
+    const Row& row = suite::rows()[GetParam()];
+    const Result& r = suite::result(row);
     if (!r.installed) GTEST_SKIP() << "its scene or its map is not installed";
-    const Figures* measured = measuredOf(*row);
+    const Figures* measured = measuredOf(row);
     ASSERT_TRUE(measured) << "not in " << measuredFile;
     for (int i = 0; i < suite::NUM_FIGURES; ++i) {
         const Figure f = Figure(i);
         if (!suite::bounded(f, (*measured)[f])) continue;
         EXPECT_LE(r.figures[f], suite::bound(f, (*measured)[f], r.noise[f]))
-            << suite::figureNames[f] << ", measured " << (*measured)[f] << (*row->why ? ": " : "") << row->why;
+            << suite::figureNames[f] << ", measured " << (*measured)[f] << (*row.why ? ": " : "") << row.why;
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Rows, ImageSuite, testing::ValuesIn(suite::rows()),
-                         [](const auto& parameter) { return parameter.param.name(); });
+INSTANTIATE_TEST_SUITE_P(Rows, ImageSuite, testing::Range(size_t(0), suite::rows().size()),
+                         [](const auto& parameter) { return suite::rows()[parameter.param].name(); });
 
 // Bounds that the pictures have left far behind bound nothing.
 TEST(ImageSuiteTable, IsNotFarBetterThanMeasured)
@@ -114,12 +101,14 @@ TEST(ImageSuiteTable, OcclusionBringsThePictureNearerTheReference)
     double with = 0.0, without = 0.0;
     std::ostringstream worse;
     const int count = forRows([&](const Row& row, const Result& r) {
-        with += r.figures[suite::TONED];
-        without += r.withoutOcclusion;
+        if (!*row.why) {
+            with += r.figures[suite::TONED];
+            without += r.withoutOcclusion;
+        }
         if (r.figures[suite::TONED] > 1.05 * r.withoutOcclusion + r.noise[suite::TONED]) worse << " " << row.name();
     });
     ASSERT_GT(count, 0);
-    EXPECT_LT(with, 0.92 * without);
+    EXPECT_LT(with, 0.75 * without);  // .67 when written; rows that say why are left out
     EXPECT_EQ("", worse.str());
 }
 
