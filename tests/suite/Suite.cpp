@@ -172,7 +172,6 @@ class Measurement
 
     void run(Result& r)
     {
-        _renderer.render(&_lit);  // the second frame has all textures and shaders
         r.picture = _renderer.render(&_lit);
         _truth = truthOf(_lit, _renderer.viewer());
         r.reference = _truth.beauty.mean;

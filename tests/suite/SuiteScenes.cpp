@@ -3,6 +3,7 @@
 
 #include "Suite.h"
 
+#include <osg/AnimationPath>
 #include <osg/Geometry>
 
 #include <osgDB/FileUtils>
@@ -29,6 +30,18 @@ SuiteScene emptyScene()
     return scene;
 }
 
+// A term is rendered some frames after the picture: what moves would be elsewhere.
+class StandStill : public osg::NodeVisitor
+{
+  public:
+    StandStill() : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN) {}
+    void apply(osg::Node& node) override
+    {
+        if (auto* animation = dynamic_cast<osg::AnimationPathCallback*>(node.getUpdateCallback())) animation->setPause(true);
+        traverse(node);
+    }
+};
+
 SuiteScene demonstration(const std::string& name)
 {
     SuiteScene scene;
@@ -36,6 +49,8 @@ SuiteScene demonstration(const std::string& name)
     if (!osgDB::fileExists(file)) return scene;
     scene.lit = dynamic_cast<LitScene*>(osgDB::readRefNodeFile(file).get());
     if (!scene.lit || !scene.lit->getHomeView()) throw std::runtime_error(file + ": no scene with a view");
+    StandStill still;
+    scene.lit->accept(still);
     scene.eye = scene.lit->getHomeView()->eye;
     scene.target = scene.lit->getHomeView()->target;
     scene.fovy = scene.lit->getHomeView()->fovy;
