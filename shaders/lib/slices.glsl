@@ -51,6 +51,13 @@ struct SliceTap {
     bool marks;  // is within the radius
 };
 
+// The view ray between two taps, at which their surfaces end.
+struct SliceBorder {
+    float distance;  // from the receiver across the view ray
+    vec3 point;
+    vec3 ray;
+};
+
 // Where direction d, turned into the slice's plane, lies between the receiver's horizons, 0 and 1.
 float slicePosition(Slice s, vec3 view, vec3 d)
 {
@@ -84,15 +91,15 @@ bool isAbove(vec3 d, vec3 normal)
     return dot(d, normal) > 0.01 * length(d);
 }
 
-// Where the view ray through q meets the plane of the surface at x with normal nx; farther from x along the ray than
-// `reach`, shortened along the surface: pulled off it, a plane would rise above itself.
-vec3 patchEnd(mat4 inverseProjection, vec3 q, vec3 x, vec3 nx, float reach)
+// Where the border's view ray meets the plane of the tapped surface; farther from the tap along the ray than their distance
+// across it and a margin, shortened along the surface: pulled off it, a plane would rise above itself.
+vec3 patchEnd(SliceTap tap, SliceBorder border, float margin)
 {
-    vec3 ray = viewRayAt(inverseProjection, q);
-    float c = dot(ray, nx);
-    float t = c < -1e-4 ? dot(x - q, nx) / c : 1e4 * reach;  // missed: far away
-    vec3 y = q + t * ray - x;
-    return x + min(reach / max(abs(dot(y, ray)), 1e-30), 1.0) * y;
+    float reach = abs(border.distance - tap.distance) + margin;
+    float c = dot(border.ray, tap.normal);
+    float t = c < -1e-4 ? dot(tap.x - border.point, tap.normal) / c : 1e4 * reach;  // missed: far away
+    vec3 y = border.point + t * border.ray - tap.x;
+    return tap.x + min(reach / max(abs(dot(y, border.ray)), 1e-30), 1.0) * y;
 }
 
 // Two surfaces that meet in a convex edge end there: a patch of x towards `end` is cut by the plane of its neighbour. Else
@@ -105,13 +112,11 @@ vec3 cutAtEdge(vec3 x, vec3 end, SliceTap neighbour)
     return edge ? x + from / (from - to) * (end - x) : end;
 }
 
-// The sectors behind the tapped surface between its centre and that distance from the receiver, on the neighbour's side.
-uint patchBits(SliceView v, SliceReceiver r, Slice s, float side, SliceTap tap, float distance, SliceTap neighbour)
+// The sectors behind the tapped surface between its centre and the border to its neighbour.
+uint patchBits(SliceReceiver r, Slice s, float side, SliceTap tap, SliceBorder border, SliceTap neighbour)
 {
     if (!tap.marks) return 0u;
-    vec3 q = r.point + side * distance * s.along;
-    vec3 end = patchEnd(v.inverseProjection, q, tap.x, tap.normal, abs(distance - tap.distance) + 0.5 * r.footprint);
-    vec3 d = cutAtEdge(tap.x, end, neighbour) - r.point;
+    vec3 d = cutAtEdge(tap.x, patchEnd(tap, border, 0.5 * r.footprint), neighbour) - r.point;
     bool above = isAbove(d, r.normal);
     if (!above && !tap.above) return 0u;
     return sliceMarks(tap.position, above ? slicePosition(s, r.view, d) : 0.5 + 0.5 * side, s.phase);
@@ -169,7 +174,10 @@ uint sideBits(sampler2D depthMap, sampler2D normalMap, SliceView v, SliceReceive
     SliceTap former = noTap();
     for (int j = 0; j <= v.taps; ++j) {
         float distance = tapDistance(v, r.footprint, float(j), phase);
-        float border = tapDistance(v, r.footprint, float(j) - 0.5, phase);
+        SliceBorder border;
+        border.distance = tapDistance(v, r.footprint, float(j) - 0.5, phase);
+        border.point = r.point + side * border.distance * s.along;
+        border.ray = viewRayAt(v.inverseProjection, border.point);
         vec4 c = clip + distance * clipStep;
         bool end = j == v.taps || c.w <= 0.0 || abs(c.x) >= c.w || abs(c.y) >= c.w;
         SliceTap tap = noTap();
@@ -178,8 +186,7 @@ uint sideBits(sampler2D depthMap, sampler2D normalMap, SliceView v, SliceReceive
             tap = tapAt(depthMap, normalMap, v, r, s, side, pixel);
             tap.distance = distance;
         }
-        bits |= patchBits(v, r, s, side, former, border, tap) | patchBits(v, r, s, side, tap, border, former) |
-                slabBits(v, r, s, tap);
+        bits |= patchBits(r, s, side, former, border, tap) | patchBits(r, s, side, tap, border, former) | slabBits(v, r, s, tap);
         if (end) break;
         former = tap;
     }
@@ -218,16 +225,15 @@ Slices slicesOf(sampler2D depthMap, sampler2D normalMap, SliceView v, vec3 p, ve
 // direction, in the slice nearest in azimuth.
 bool sliceBlocks(Slices r, vec3 l)
 {
-    int nearest = 0;
-    float along = dot(l, r.slice[0].along);
-    for (int i = 1; i < r.count; ++i) {
-        float c = dot(l, r.slice[i].along);
+    Slice s = r.slice[0];
+    float along = dot(l, s.along);
+    for (int i = 1; i < 4; ++i) {
+        float c = i < r.count ? dot(l, r.slice[i].along) : 0.0;
         if (abs(c) > abs(along)) {
-            nearest = i;
+            s = r.slice[i];
             along = c;
         }
     }
-    Slice s = r.slice[nearest];
     float c = dot(l, r.view);
     float angle = atan(sqrt(max(1.0 - c * c, 0.0)), c) * (along < 0.0 ? -1.0 : 1.0);
     float position = (angle - s.tilt) * INV_PI + 0.5;
