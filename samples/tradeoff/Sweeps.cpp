@@ -26,6 +26,9 @@ const std::vector<Sweep>& defaultSweeps()
     static const std::vector<Sweep> sweeps = {
         {"occlusionLights", {"64", "128", "256", "512", "1024", "2048"}, {}, false, true},
         {"occlusionSteps", {"2", "4", "8", "16", "32", "64"}, {}, false, true},
+        {"occlusionMethod", {"slice", "ray"}, {}, false, false},
+        {"occlusionSlices", {"1", "2", "4"}, {{"occlusionMethod", "slice"}}, false, false},
+        {"occlusionTaps", {"2", "4", "8", "16", "32"}, {{"occlusionMethod", "slice"}}, false, false},
         {"occlusionRadius", {"0.0625", "0.125", "0.25", "0.5", "1"}, {}, false, true},
         {"occlusionThickness", {"0.05", "0.1", "0.2", "0.5", "1000"}, {}, false, false},
         {"filterCells", {"1", "2", "3", "4"}, {}, false, false},
