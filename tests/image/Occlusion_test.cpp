@@ -97,6 +97,7 @@ TEST(Occlusion, PlanesAtAnyTiltSeeEverything)
         for (double tilt : {0.0, 30.0, 60.0, 80.0, 89.0}) {
             osg::ref_ptr<LitScene> lit = makeLit(constantMap(1.0).get());
             lit->getSettings()->view = Settings::VISIBILITY;
+            lit->getSettings()->visibility = Settings::VISIBILITY_SCREEN;
             lit->getSettings()->occlusionMethod = method;
             const double s = distance;
             lit->addChild(makeQuad(osg::Vec3d(-s, -s, 0), osg::Vec3d(2 * s, 0, 0), osg::Vec3d(0, 2 * s, 0)));
