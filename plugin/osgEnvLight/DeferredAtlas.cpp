@@ -65,7 +65,7 @@ AtlasRefresh::States DeferredTechnique::atlasStates(Cull& c, ShadowAtlas& atlas)
         s.setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0, 1, false), osg::StateAttribute::OFF);
         bind(s, 0, "firstDepthMap", atlas.firstDepth());
         bind(s, 1, "secondDepthMap", atlas.secondDepth());
-        bind(s, 2, "firstGuardMap", atlas.firstGuard());
+        bind(s, 2, "firstSlopeMap", atlas.firstSlope());
     }
     return states;
 }

@@ -54,11 +54,11 @@ ShadowAtlas::ShadowAtlas(unsigned lightCount, unsigned mapSize)
       _columns(unsigned(std::ceil(std::sqrt(double(lightCount))))),
       _midpoints(targetTexture(int(_columns * size), int((lights + _columns - 1) / _columns * size), GL_R16)),
       _firstDepth(targetTexture(int(batch * size), int(size), GL_DEPTH_COMPONENT24)),
-      _firstGuard(targetTexture(int(batch * size), int(size), GL_R16F)),
+      _firstSlope(targetTexture(int(batch * size), int(size), GL_R16F)),
       _secondDepth(targetTexture(int(batch * size), int(size), GL_DEPTH_COMPONENT24)),
       _target(makeTarget(_midpoints.get(), nullptr)),
-      _firstTarget(makeTarget(_firstGuard.get(), _firstDepth.get())),
-      _secondTarget(makeTarget(_firstGuard.get(), _secondDepth.get()))
+      _firstTarget(makeTarget(_firstSlope.get(), _firstDepth.get())),
+      _secondTarget(makeTarget(_firstSlope.get(), _secondDepth.get()))
 {
 }
 
@@ -211,7 +211,7 @@ double ShadowAtlas::texel() const
 
 void ShadowAtlas::resizeGLObjectBuffers(unsigned maximum)
 {
-    for (osg::Texture2D* t : {_midpoints.get(), _firstDepth.get(), _firstGuard.get(), _secondDepth.get()})
+    for (osg::Texture2D* t : {_midpoints.get(), _firstDepth.get(), _firstSlope.get(), _secondDepth.get()})
         t->resizeGLObjectBuffers(maximum);
     if (_merged) _merged->resizeGLObjectBuffers(maximum);
     for (osg::FrameBufferObject* f : {_target.get(), _firstTarget.get(), _secondTarget.get()}) f->resizeGLObjectBuffers(maximum);
@@ -219,7 +219,7 @@ void ShadowAtlas::resizeGLObjectBuffers(unsigned maximum)
 
 void ShadowAtlas::releaseGLObjects(osg::State* state) const
 {
-    for (osg::Texture2D* t : {_midpoints.get(), _firstDepth.get(), _firstGuard.get(), _secondDepth.get()})
+    for (osg::Texture2D* t : {_midpoints.get(), _firstDepth.get(), _firstSlope.get(), _secondDepth.get()})
         t->releaseGLObjects(state);
     if (_merged) _merged->releaseGLObjects(state);
     for (osg::FrameBufferObject* f : {_target.get(), _firstTarget.get(), _secondTarget.get()}) f->releaseGLObjects(state);

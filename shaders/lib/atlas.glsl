@@ -7,14 +7,18 @@
 // Shadows are told apart from this height on: the 10^-4 of the half cube that separates a first and a second surface.
 #define ATLAS_STEP 5e-5
 
-// Height half-way between the first and the second surface, by their depths; the first where none is behind it. guard: by
-// how much an open surface must be let down not to shade itself, in heights.
-float midpointHeight(float firstDepth, float secondDepth, float guard)
+// Height half-way between the first and the second surface, by their depths; the first where none is behind it. Open surfaces
+// are let down by what they rise within a texel, not to shade themselves: by a texel at most, or three where nothing is
+// behind or leaves and grilles are known to be sheets. slope: of the first surface, heights per texel, negative for those.
+// texel: in heights.
+float midpointHeight(float firstDepth, float secondDepth, float slope, float texel)
 {
     if (firstDepth >= 1.0) return 0.0;
     float first = 1.0 - firstDepth;
-    float middle = secondDepth < 1.0 ? 0.5 * (first + 1.0 - secondDepth) : first;
-    return max(min(middle, first - guard), 0.0);
+    bool behind = secondDepth < 1.0;
+    float middle = behind ? 0.5 * (first + 1.0 - secondDepth) : first;
+    float most = behind && slope >= 0.0 ? texel : 3.0 * texel;
+    return max(min(middle, first - min(0.71 * abs(slope), most)), 0.0);
 }
 
 // Where a point is looked up: off the surface by a tenth of a texel where the light grazes it.

@@ -1,13 +1,12 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// First surface from a light: its depth, and by how much an open one must be let down not to shade itself. Second surface:
-// the depth of the nearest that is not the first. Alpha goes out for the fixed-function alpha test.
+// First surface from a light: its depth and slope. Second surface: the depth of the nearest that is not the first. Alpha goes
+// out for the fixed-function alpha test.
 #pragma import_defines(CASTER_ALPHA, CASTER_BLENDED, CASTER_SECOND, NO_TEXTURE, TEXTURE_REPLACE, VERTEX_COLOR)
 
 #include "lib/atlas.glsl"
 #include "lib/sequence.glsl"
 
-uniform int atlasSize;
 #ifdef CASTER_SECOND
 uniform sampler2D firstDepthMap;
 #endif
@@ -21,7 +20,7 @@ uniform ivec2 atlasMapIndex;
 in vec4 vertexColor;
 in vec2 textureCoordinate;
 
-layout(location = 0) out vec4 guard;
+layout(location = 0) out vec4 surface; // slope, negative for sheets
 
 float casterAlpha()
 {
@@ -55,15 +54,12 @@ void main()
 #endif
 #ifdef CASTER_SECOND
     if (gl_FragCoord.z <= texelFetch(firstDepthMap, ivec2(gl_FragCoord.xy), 0).r + ATLAS_STEP) discard;
-    guard = vec4(0.0, 0.0, 0.0, alpha);
+    surface = vec4(0.0, 0.0, 0.0, alpha);
 #else
     float slope = length(vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z)));
-    // Leaves and grilles are sheets; most of the rest has a back.
 #ifdef CASTER_ALPHA
-    float texels = 3.0;
-#else
-    float texels = 1.0;
+    slope = -slope;
 #endif
-    guard = vec4(min(0.71 * slope, texels / float(atlasSize)), 0.0, 0.0, alpha);
+    surface = vec4(slope, 0.0, 0.0, alpha);
 #endif
 }

@@ -4,8 +4,9 @@
 #include "lib/atlas.glsl"
 
 uniform sampler2D firstDepthMap;
-uniform sampler2D firstGuardMap;
+uniform sampler2D firstSlopeMap;
 uniform sampler2D secondDepthMap;
+uniform int atlasSize;
 uniform ivec2 batchFromAtlas; // from this texel to the map's in the batch
 
 layout(location = 0) out vec4 height;
@@ -14,5 +15,5 @@ void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy) + batchFromAtlas;
     height = vec4(midpointHeight(texelFetch(firstDepthMap, p, 0).r, texelFetch(secondDepthMap, p, 0).r,
-                                 texelFetch(firstGuardMap, p, 0).r));
+                                 texelFetch(firstSlopeMap, p, 0).r, 1.0 / float(atlasSize)));
 }
