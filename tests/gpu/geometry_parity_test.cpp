@@ -233,6 +233,27 @@ TEST(parity, sequence)
         within(0.0, 2e-7));
 }
 
+TEST(parity, sliceMarks)
+{
+    // Odd multiples of 2^-13 and phases of 2^-5: exact in float, and no position meets a sample.
+    Random random(70);
+    auto position = [&] { return (std::floor(random.uniform(-2048, 6144)) + 0.5) / 4096.0; };
+    std::vector<Row> rows;
+    while (rows.size() < 4000) {
+        const double a = position();
+        const double b = position();
+        rows.push_back({toFloat(vec3(a, b, (std::floor(random.uniform(0, 16)) + 0.5) / 16.0))});
+    }
+    expectParity(
+        {"lib/slices.glsl"},
+        "uint bits = sliceMarks(a.x, a.y, a.z); result = vec4(float(bits >> 16u), float(bits & 0xffffu), 0.0, 0.0);", rows,
+        [](auto& in) {
+            const glsl::uint bits = glsl::sliceMarks(in[0].x, in[0].y, in[0].z);
+            return vec4(bits >> 16u, bits & 0xffffu, 0, 0);
+        },
+        within(0.0));
+}
+
 TEST(parity, HammersleyStaysBelowOneInFloat)
 {
     // What a double would not show: rounding up to 1.
