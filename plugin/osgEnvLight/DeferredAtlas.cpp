@@ -75,6 +75,7 @@ void DeferredTechnique::addAtlas(Cull& c, osgUtil::CullVisitor& cv)
     const Plan& plan = c.view.plan;
     if (!plan.atlas) {
         c.view.dropAtlas();
+        _waitingMaps = 0;
         return;
     }
     ShadowAtlas& atlas = c.view.atlas(plan.occlusionLights, unsigned(c.settings.atlasSize));
@@ -84,6 +85,7 @@ void DeferredTechnique::addAtlas(Cull& c, osgUtil::CullVisitor& cv)
     const unsigned budget = atOnce ? atlas.lights : unsigned(c.settings.atlasUpdatesPerFrame);
     const LightList list = inWorld(c.view.textures().occlusionList(atlas.lights), c.mapFromWorld, atlas.lights);
     const std::vector<ShadowAtlas::Refresh> refreshes = atlas.update(list, budget);
+    _waitingMaps = atlas.waiting();
     if (auto* view = dynamic_cast<osgViewer::View*>(cv.getRenderInfo().getView()); view && atlas.waiting() > 0)
         view->requestRedraw();
     if (refreshes.empty()) return;

@@ -95,7 +95,9 @@ const std::vector<Settings::Property>& Settings::table()
             "cut suns and lamps out of the map and shade them as discs: for S, which they make smooth, or for D as well, where "
             "they cast no shadows yet"),
         choice("regeneration", &S::regeneration, {"background", "immediate"},
-               "a changed map becomes light on a thread of its own, visible when ready; or within the frame that sees it"),
+               "a changed map becomes light on a thread of its own, visible when ready, and shadow maps are drawn some a frame; "
+               "or all "
+               "within the frame that sees the change"),
         choice(
             "diffuseCarrier", &S::diffuseCarrier, {"auto", "sh", "lights"},
             "what D sums: 18 spherical harmonics of the map, diffuseLights of its lights, or the cheapest within diffuseError"),
@@ -104,9 +106,10 @@ const std::vector<Settings::Property>& Settings::table()
         number("diffuseLights", &S::diffuseLights, 1, 65536, "lights",
                "importance-sampled lights of the map for D; with diffuseCarrier = auto, at most"),
         number("specularSamples", &S::specularSamples, 1, 1024, "samples per pixel", "directions sampled from the BRDF for S"),
-        choice("visibility", &S::visibility, {"auto", "screen", "atlas", "both", "none"},
-               "what O asks whether a light is seen: the depth buffer, which knows what the view shows; the sky shadow atlas, a "
-               "small shadow map for each light; both, the depth buffer within nearRadius; auto: both where anything casts shadows"),
+        choice(
+            "visibility", &S::visibility, {"auto", "screen", "atlas", "both", "none"},
+            "what O asks whether a light is seen: the depth buffer, which knows what the view shows; the sky shadow atlas, a "
+            "small shadow map for each light; both, the depth buffer within nearRadius; auto: both where anything casts shadows"),
         number("atlasLights", &S::atlasLights, 16, 1024, "lights",
                "lights of the map that have a shadow map, a sixteenth of them in each pixel; rounded up to a multiple of 16"),
         number("atlasSize", &S::atlasSize, 16, 512, "texels", "side of each shadow map of the atlas"),

@@ -73,6 +73,8 @@ osg::ref_ptr<osgEnvLight::LitScene> SceneOptions::load(bool linear) const
     if (!map.empty() && !environment.load(map, nullptr, error)) throw std::runtime_error(error);
     if (rotation) environment.setRotation(*rotation);
     lit->getSettings()->output = linear ? osgEnvLight::Settings::LINEAR : osgEnvLight::Settings::DISPLAY;
+    // One frame is all that these programs show.
+    lit->getSettings()->regeneration = osgEnvLight::Settings::IMMEDIATE;
     for (const std::string& s : settings) {
         const size_t equals = s.find('=');
         if (equals == std::string::npos) throw BadArguments("--set is '" + s + "', expected name=value");

@@ -171,10 +171,11 @@ TermPictures entry(const std::string& term, const Picture& ours, Layer layer, co
 // The occlusion's error, by what occludes; sign 1 where too little of it is too much.
 std::vector<Part> occlusionParts(const Truth& truth, float sign, const Picture& error)
 {
-    return {{"occlusion by objects outside the view", scaled(truth[Layer::OCCLUSION_OUTSIDE], sign), true},
-            {"occlusion by surfaces that others hide from the camera", scaled(truth[Layer::OCCLUSION_HIDDEN], sign), true},
-            {"occlusion beyond the reach of the rays (occlusionRadius)", scaled(truth[Layer::OCCLUSION_FAR], sign), true},
-            {"how occlusion is found on the screen: steps, thickness, lights and filter", error, false, true}};
+    return {
+        {"occlusion by objects outside the view", scaled(truth[Layer::OCCLUSION_OUTSIDE], sign), true},
+        {"occlusion by surfaces that others hide from the camera", scaled(truth[Layer::OCCLUSION_HIDDEN], sign), true},
+        {"occlusion beyond the reach of the rays (occlusionRadius)", scaled(truth[Layer::OCCLUSION_FAR], sign), true},
+        {"how occlusion is found: the lights, their shadow maps or points on the screen, and the filter", error, false, true}};
 }
 
 }  // namespace

@@ -24,13 +24,18 @@ struct Sweep {
 const std::vector<Sweep>& defaultSweeps()
 {
     static const std::vector<Sweep> sweeps = {
-        {"occlusionLights", {"64", "128", "256", "512", "1024", "2048"}, {}, false, true},
-        {"occlusionSteps", {"2", "4", "8", "16", "32", "64"}, {}, false, true},
-        {"occlusionMethod", {"slice", "ray"}, {}, false, false},
-        {"occlusionSlices", {"1", "2", "4"}, {{"occlusionMethod", "slice"}}, false, false},
-        {"occlusionTaps", {"2", "4", "8", "16", "32"}, {{"occlusionMethod", "slice"}}, false, false},
-        {"occlusionRadius", {"0.0625", "0.125", "0.25", "0.5", "1"}, {}, false, true},
-        {"occlusionThickness", {"0.05", "0.1", "0.2", "0.5", "1000"}, {}, false, false},
+        {"visibility", {"screen", "atlas", "both"}, {}, false, true},
+        {"atlasLights", {"16", "64", "128", "256", "512", "1024"}, {}, false, true},
+        {"atlasSize", {"32", "64", "128", "256"}, {}, false, true},
+        {"nearRadius", {"0", "1", "2", "3", "6"}, {}, false, false},
+        {"nearTaps", {"2", "4", "8"}, {}, false, false},
+        {"occlusionLights", {"64", "128", "256", "512", "1024", "2048"}, {{"visibility", "screen"}}, false, false},
+        {"occlusionSteps", {"2", "4", "8", "16", "32", "64"}, {{"visibility", "screen"}}, false, false},
+        {"occlusionMethod", {"slice", "ray"}, {{"visibility", "screen"}}, false, false},
+        {"occlusionSlices", {"1", "2", "4"}, {}, false, false},
+        {"occlusionTaps", {"2", "4", "8", "16", "32"}, {{"visibility", "screen"}, {"occlusionMethod", "slice"}}, false, false},
+        {"occlusionRadius", {"0.0625", "0.125", "0.25", "0.5", "1"}, {{"visibility", "screen"}}, false, false},
+        {"occlusionThickness", {"0.05", "0.1", "0.2", "0.5", "1000"}, {{"visibility", "screen"}}, false, false},
         {"filterCells", {"1", "2", "3", "4"}, {}, false, false},
         {"combine", {"ratio", "subtract"}, {}, false, false},
         {"diffuseCarrier", {"auto", "sh", "lights"}, {}, false, false},
@@ -51,9 +56,9 @@ const std::vector<std::pair<const char*, Texts>>& presets()
     static const std::vector<std::pair<const char*, Texts>> all = {
         {"default", {}},
         {"no occlusion", {{"occlusion", "off"}}},
-        {"fast", {{"occlusionLights", "128"}, {"occlusionSteps", "8"}, {"specularSamples", "8"}, {"diffuseLights", "32"}}},
-        {"fine", {{"occlusionLights", "1024"}, {"occlusionSteps", "32"}, {"specularSamples", "64"}, {"diffuseLights", "256"}}},
-        {"finest", {{"occlusionLights", "2048"}, {"occlusionSteps", "64"}, {"specularSamples", "256"}, {"diffuseLights", "512"}}},
+        {"fast", {{"atlasLights", "64"}, {"nearRadius", "0"}, {"specularSamples", "8"}, {"diffuseLights", "32"}}},
+        {"fine", {{"atlasLights", "512"}, {"specularSamples", "64"}, {"diffuseLights", "256"}}},
+        {"finest", {{"atlasLights", "1024"}, {"atlasSize", "256"}, {"specularSamples", "256"}, {"diffuseLights", "512"}}},
     };
     return all;
 }

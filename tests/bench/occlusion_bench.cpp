@@ -22,6 +22,7 @@ osg::ref_ptr<LitScene> makeWall(osg::Image* map)
     lit->addChild(makeQuad(osg::Vec3d(-30, -8, 0), osg::Vec3d(60, 0, 0), osg::Vec3d(0, 16, 0)));
     lit->addChild(makeBox(osg::Vec3d(-30, 0, 0), osg::Vec3d(30, 4, 1)));
     Settings& s = *lit->getSettings();
+    s.visibility = Settings::VISIBILITY_SCREEN;
     s.view = Settings::VISIBILITY;
     s.occlusionRadius = float(4.0 / lit->getBound().radius());
     s.occlusionThickness = 1.0f;
@@ -102,6 +103,7 @@ osg::ref_ptr<LitScene> makeSpheres()
     lit->addChild(makeQuad(osg::Vec3d(-4, -4, 0), osg::Vec3d(8, 0, 0), osg::Vec3d(0, 8, 0)));
     for (int i = 0; i < 9; ++i) lit->addChild(makeSphere(osg::Vec3d(-2 + 2 * (i % 3), -2 + 2 * (i / 3), 0.6), 0.6));
     lit->getSettings()->view = Settings::VISIBILITY;
+    lit->getSettings()->visibility = Settings::VISIBILITY_SCREEN;
     lit->setTimed(true);
     return lit;
 }

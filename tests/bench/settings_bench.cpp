@@ -61,6 +61,7 @@ void sweep(benchmark::State& state)
     osg::ref_ptr<LitScene> lit = makeScene();
     std::string error;
     lit->getSettings()->view = knob.view;
+    lit->getSettings()->visibility = Settings::VISIBILITY_SCREEN;
     if (knob.reference)
         lit->getSettings()->set(knob.name, double(knob.reference), error);
     else

@@ -113,9 +113,27 @@ TEST_F(TradeoffProgram, SaysWhatTheErrorIs)
     geode->addDrawable(new osg::ShapeDrawable(new osg::Box(osg::Vec3(0, 0, 3.0f), 6.0f, 6.0f, 0.1f)));
     const std::string scene = folder.file("roof.osgt");
     ASSERT_TRUE(osgDB::writeNodeFile(*geode, scene));
-    const Outcome o =
-        runProgram({program, scene, "--env", "sky", "--size", "48x36", "--quick", "--only", "default", "--reference-error", ".03",
-                    "--eye", "0,-2.8,1.5", "--target", "0,0,0", "--fovy", "30", "-o", folder.file("report")});
+    const Outcome o = runProgram({program,
+                                  scene,
+                                  "--env",
+                                  "sky",
+                                  "--size",
+                                  "48x36",
+                                  "--quick",
+                                  "--only",
+                                  "default",
+                                  "--reference-error",
+                                  ".03",
+                                  "--set",
+                                  "visibility=screen",
+                                  "--eye",
+                                  "0,-2.8,1.5",
+                                  "--target",
+                                  "0,0,0",
+                                  "--fovy",
+                                  "30",
+                                  "-o",
+                                  folder.file("report")});
     ASSERT_EQ(o.status, 0) << o.err;
     const json j = readJson(folder.file("report") + "/tradeoff.json");
     for (const char* term : {"beauty", "occlusion"}) {

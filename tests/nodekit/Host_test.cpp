@@ -144,6 +144,7 @@ TEST(Host, AddingAndRemovingAHundredTimesLeaksNothing)
     auto round = [&] {
         osg::ref_ptr<LitScene> lit = new LitScene(map);
         lit->setTimed(true);
+        lit->getSettings()->atlasLights = 16;  // drawn a hundred times
         lit->addChild(model);
         root->replaceChild(model, lit);
         renderer.render(root, 6);  // timers hold queries after four
