@@ -60,7 +60,7 @@ int byteRange(const osg::Image& a)
 osg::ref_ptr<LitScene> makeScene()
 {
     osg::ref_ptr<LitScene> lit = new LitScene(makeMap(64, 32, sixDirectionColor));
-    lit->getSettings()->occlusionLights = 64;
+    lit->getSettings()->atlasLights = 64;
     lit->addChild(makeSphere(osg::Vec3d(), 1.0, 64));
     osg::ref_ptr<osg::ShapeDrawable> dynamic = new osg::ShapeDrawable(new osg::Sphere(osg::Vec3(1.5f, 0, 0), 0.4f));
     dynamic->setDataVariance(osg::Object::DYNAMIC);
