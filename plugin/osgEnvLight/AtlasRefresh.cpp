@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgEnvLight/AtlasRefresh>
 
+#include <osgEnvLight/GBufferCallback>
 #include <osgEnvLight/Pass>
 
 #include <osg/GLExtensions>
@@ -19,13 +20,6 @@ void setUniform(osg::State& state, const char* name, int x, int y)
     const osg::Program::PerContextProgram* program = state.getLastAppliedProgramObject();
     const GLint location = program ? program->getUniformLocation(name) : -1;
     if (location >= 0) state.get<osg::GLExtensions>()->glUniform2i(location, x, y);
-}
-
-void bindTarget(osg::State& state, osg::FrameBufferObject& target)
-{
-    target.apply(state);
-    // At its first use apply() creates the textures, bound to the active unit behind State's back.
-    state.haveAppliedTextureAttribute(state.getActiveTextureUnit(), osg::StateAttribute::TEXTURE);
 }
 
 }  // namespace
@@ -70,14 +64,15 @@ void AtlasRefresh::drawImplementation(osg::RenderInfo& renderInfo) const
     }
     if (_timed) _timer->end(state);
     state.haveAppliedAttribute(osg::StateAttribute::VIEWPORT);
-    for (unsigned unit = 0; unit < 2; ++unit) state.haveAppliedTextureAttribute(unit, osg::StateAttribute::TEXTURE);
+    for (unsigned unit = 0; unit < _states.midpoints->getNumTextureAttributeLists(); ++unit)
+        state.haveAppliedTextureAttribute(unit, osg::StateAttribute::TEXTURE);
 }
 
 void AtlasRefresh::drawCasters(osg::RenderInfo& renderInfo, osg::FrameBufferObject& target, const osg::StateSet& stateSet,
                                size_t begin, size_t end) const
 {
     osg::State& state = *renderInfo.getState();
-    bindTarget(state, target);
+    bindFrameBuffer(state, target);
     state.pushStateSet(&stateSet);
     state.apply();
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -113,7 +108,7 @@ void AtlasRefresh::drawRun(osg::RenderInfo& renderInfo, size_t caster, size_t ca
 void AtlasRefresh::storeMidpoints(osg::RenderInfo& renderInfo, size_t begin, size_t end) const
 {
     osg::State& state = *renderInfo.getState();
-    bindTarget(state, *_atlas->target());
+    bindFrameBuffer(state, *_atlas->target());
     state.pushStateSet(_states.midpoints.get());
     state.apply();
     const int size = int(_atlas->size);

@@ -136,9 +136,9 @@ bool sameShadows(const std::vector<Caster>& a, const std::vector<Caster>& b, dou
     if (a.size() != b.size()) return false;
     for (size_t i = 0; i < a.size(); ++i) {
         if (a[i].geometry != b[i].geometry || a[i].state != b[i].state || a[i].shape != b[i].shape) return false;
+        if (a[i].worldFromModel == b[i].worldFromModel) continue;
         const osg::BoundingBox& box = a[i].geometry->getBoundingBox();
-        if (!box.valid()) continue;
-        for (unsigned k = 0; k < 8; ++k) {
+        for (unsigned k = 0; box.valid() && k < 8; ++k) {
             const osg::Vec3d corner = box.corner(k);
             if ((corner * a[i].worldFromModel - corner * b[i].worldFromModel).length() > slack) return false;
         }

@@ -80,8 +80,8 @@ try {
 
     lock.lock();
     const DiffuseCarrier carrier = needed ? textures->carrier() : DiffuseCarrier();
-    vd.plan = Plan::make(*settings, vd.plan.surfaces, radianceScale <= 0.0, radius, carrier, textures->sunShare(),
-                         {c.casters.size(), trianglesOf(c.casters)});
+    vd.plan =
+        Plan::make(*settings, vd.plan.surfaces, radianceScale <= 0.0, radius, carrier, textures->sunShare(), c.casters.size());
     addAtlas(c, cv);
     addPasses(c, cv);
     addComposite(c, cv);

@@ -10,6 +10,13 @@
 namespace osgEnvLight
 {
 
+void bindFrameBuffer(osg::State& state, osg::FrameBufferObject& target)
+{
+    target.apply(state);
+    // At its first use apply() creates the textures, bound to the active unit behind State's back.
+    state.haveAppliedTextureAttribute(state.getActiveTextureUnit(), osg::StateAttribute::TEXTURE);
+}
+
 BindTargets::BindTargets(bool before, osg::FrameBufferObject* target, GpuTimer* timer, Failure* failure)
     : _before(before), _target(target), _timer(timer), _failure(failure)
 {
@@ -35,9 +42,7 @@ void BindTargets::operator()(osg::RenderInfo& renderInfo) const
     if (ext->glVersion >= 3.2f) glGetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
     if (profile & GL_CONTEXT_CORE_PROFILE_BIT)
         _failure->report("this is a core profile of OpenGL, in which OpenSceneGraph's fixed-function state does not work");
-    _target->apply(state);
-    // At its first use apply() creates the textures, bound to the active unit behind State's back.
-    state.haveAppliedTextureAttribute(state.getActiveTextureUnit(), osg::StateAttribute::TEXTURE);
+    bindFrameBuffer(state, *_target);
     if (ext->glCheckFramebufferStatus(GL_FRAMEBUFFER_EXT) != GL_FRAMEBUFFER_COMPLETE_EXT)
         _failure->report("this OpenGL can't draw into the G-buffer's formats (frame buffer incomplete)");
     if (_timer) _timer->begin(state);

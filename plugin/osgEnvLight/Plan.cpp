@@ -41,7 +41,7 @@ bool Plan::wantsAtlas(const Settings& s)
 }
 
 Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack, double sceneRadius,
-                const DiffuseCarrier& carrier, const SunShare& suns, const ShadowCasters& casters)
+                const DiffuseCarrier& carrier, const SunShare& suns, size_t casters)
 {
     Plan plan;
     plan.surfaces = surfaces;
@@ -83,7 +83,7 @@ Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack
 
     Decision atlas = occlusion;
     atlas.unless(s.visibility == Settings::VISIBILITY_SCREEN, "visibility is screen");
-    atlas.unless(casters.drawables == 0, "nothing casts shadows");
+    atlas.unless(casters == 0, "nothing casts shadows");
     atlas.unless(carrier.given && carrier.lights > mostAtlasLights, "the application's list has more than 1024 lights");
     plan.atlas = atlas.runs;
     occlusion.unless(!atlas.runs && s.visibility == Settings::VISIBILITY_ATLAS, "there is no atlas to ask");
@@ -106,7 +106,7 @@ Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack
     }
     if (atlas.runs)
         atlas.reason = count(plan.occlusionLights, "maps of ") + std::to_string(s.atlasSize) + " x " +
-                       std::to_string(s.atlasSize) + " of " + std::to_string(casters.drawables) + " drawables";
+                       std::to_string(s.atlasSize) + " of " + std::to_string(casters) + " drawables";
 
     plan.reasons = {{"gbuffer", true, count(surfaces.deferred, "drawables, ") + count(surfaces.forward, "drawn forward")},
                     {"suns", sun.runs, sun.reason},

@@ -96,8 +96,7 @@ const std::vector<Settings::Property>& Settings::table()
             "they cast no shadows yet"),
         choice("regeneration", &S::regeneration, {"background", "immediate"},
                "a changed map becomes light on a thread of its own, visible when ready, and shadow maps are drawn some a frame; "
-               "or all "
-               "within the frame that sees the change"),
+               "or all within the frame that sees the change"),
         choice(
             "diffuseCarrier", &S::diffuseCarrier, {"auto", "sh", "lights"},
             "what D sums: 18 spherical harmonics of the map, diffuseLights of its lights, or the cheapest within diffuseError"),
