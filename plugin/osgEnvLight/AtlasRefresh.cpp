@@ -56,8 +56,8 @@ void AtlasRefresh::drawImplementation(osg::RenderInfo& renderInfo) const
 {
     osg::State& state = *renderInfo.getState();
     if (_timed) _timer->begin(state);
-    for (size_t begin = 0; begin < _maps.size(); begin += ShadowAtlas::batch) {
-        const size_t end = std::min<size_t>(begin + ShadowAtlas::batch, _maps.size());
+    for (size_t begin = 0; begin < _maps.size(); begin += _atlas->batch) {
+        const size_t end = std::min<size_t>(begin + _atlas->batch, _maps.size());
         drawCasters(renderInfo, *_atlas->firstTarget(), *_states.first, begin, end);
         drawCasters(renderInfo, *_atlas->secondTarget(), *_states.second, begin, end);
         storeMidpoints(renderInfo, begin, end);

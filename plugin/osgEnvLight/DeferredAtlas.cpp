@@ -41,11 +41,11 @@ void bind(osg::StateSet& stateSet, unsigned unit, const char* name, osg::Texture
 
 }  // namespace
 
-AtlasRefresh::States DeferredTechnique::atlasStates(Cull& c, ShadowAtlas& atlas)
+AtlasRefresh::States DeferredTechnique::atlasStates(Cull& c, const std::string& name, ShadowAtlas& atlas)
 {
     AtlasRefresh::States states;
     for (const bool second : {false, true}) {
-        ViewData::State state = c.view.state(second ? "caster second" : "caster first");
+        ViewData::State state = c.view.state(name + (second ? " casters second" : " casters first"));
         osg::StateSet& s = state.stateSet;
         (second ? states.second : states.first) = &s;
         if (!state.isNew) continue;
@@ -57,7 +57,7 @@ AtlasRefresh::States DeferredTechnique::atlasStates(Cull& c, ShadowAtlas& atlas)
         s.setAttribute(new osg::ColorMask(false, false, false, false), on);
         bind(s, 1, "firstDepthMap", atlas.firstDepth());
     }
-    ViewData::State state = c.view.state("midpoint");
+    ViewData::State state = c.view.state(name + " midpoint");
     states.midpoints = &state.stateSet;
     if (state.isNew) {
         osg::StateSet& s = state.stateSet;
@@ -74,29 +74,35 @@ void DeferredTechnique::addAtlas(Cull& c, osgUtil::CullVisitor& cv)
 {
     const Plan& plan = c.view.plan;
     if (!plan.atlas) {
-        c.view.dropAtlas();
+        c.view.dropAtlas("atlas");
         _waitingMaps = 0;
         return;
     }
-    ShadowAtlas& atlas = c.view.atlas(plan.occlusionLights, unsigned(c.settings.atlasSize));
+    ViewData::Atlas& own = c.view.atlas("atlas", plan.occlusionLights, unsigned(c.settings.atlasSize));
+    ShadowAtlas& atlas = *own.maps;
     atlas.setCasters(c.casters);
     const bool atOnce = c.settings.regeneration == Settings::IMMEDIATE ||
                         (atlas.version() == 0 && 2.0 * atlas.lights * double(atlas.triangles()) <= firstFrameTriangles);
-    const unsigned budget = atOnce ? atlas.lights : unsigned(c.settings.atlasUpdatesPerFrame);
-    const LightList list = inWorld(c.view.textures().occlusionList(atlas.lights), c.mapFromWorld, atlas.lights);
-    const std::vector<ShadowAtlas::Refresh> refreshes = atlas.update(list, budget);
+    refreshAtlas(c, cv, "atlas", own, c.view.textures().occlusionList(atlas.lights),
+                 atOnce ? atlas.lights : unsigned(c.settings.atlasUpdatesPerFrame));
     _waitingMaps = atlas.waiting();
     if (auto* view = dynamic_cast<osgViewer::View*>(cv.getRenderInfo().getView()); view && atlas.waiting() > 0)
         view->requestRedraw();
-    if (refreshes.empty()) return;
+}
 
+void DeferredTechnique::refreshAtlas(Cull& c, osgUtil::CullVisitor& cv, const std::string& name, ViewData::Atlas& own,
+                                     const LightList& list, unsigned budget)
+{
+    ShadowAtlas& atlas = *own.maps;
+    const std::vector<ShadowAtlas::Refresh> refreshes = atlas.update(inWorld(list, c.mapFromWorld, atlas.lights), budget);
+    if (refreshes.empty()) return;
     Frame& f = c.frame;
-    if (!f.atlasRefresh) f.atlasRefresh = new AtlasRefresh(&c.view.timer("atlas"));
-    f.atlasRefresh->prepare(atlas, refreshes, atlas.drawn(), atlasStates(c, atlas), c.timed);
-    osg::ref_ptr<Pass>& pass = f.passes["atlas"];
-    if (!pass) pass = new Pass(f.atlasRefresh.get());
-    ViewData::State own = c.view.state("atlas");
-    pass->add(c.host, c.view.atlasCamera(), *c.view.viewport(), own.stateSet, *f.uniforms, cv.getProjectionMatrix(),
+    osg::ref_ptr<AtlasRefresh>& refresh = f.atlasRefreshes[name];
+    if (!refresh) refresh = new AtlasRefresh(&c.view.timer(name));
+    refresh->prepare(atlas, refreshes, atlas.drawn(), atlasStates(c, name, atlas), c.timed);
+    osg::ref_ptr<Pass>& pass = f.passes[name];
+    if (!pass) pass = new Pass(refresh.get());
+    pass->add(c.host, *own.camera, *c.view.viewport(), c.view.state(name).stateSet, *f.uniforms, cv.getProjectionMatrix(),
               cv.getModelViewMatrix());
 }
 

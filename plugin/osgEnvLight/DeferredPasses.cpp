@@ -3,6 +3,7 @@
 #include <osgEnvLight/AlbedoTable>
 #include <osgEnvLight/DeferredTechnique>
 
+#include <osg/BlendFunc>
 #include <osg/Depth>
 #include <osg/PolygonMode>
 #include <osgUtil/CullVisitor>
@@ -34,7 +35,7 @@ osg::StateSet& DeferredTechnique::gbufferState(Cull& c)
 
 osg::StateSet& DeferredTechnique::passState(Cull& c, const std::string& name, const PassInputs& inputs)
 {
-    std::string key = name + " " + std::to_string(inputs.lights);
+    std::string key = name + " " + std::to_string(inputs.lights) + (inputs.adds ? " adds" : "");
     for (const std::string& d : inputs.defines) key += " " + d;
     ViewData::State state = c.view.state(key);
     osg::StateSet& s = state.stateSet;
@@ -43,11 +44,12 @@ osg::StateSet& DeferredTechnique::passState(Cull& c, const std::string& name, co
     for (const std::string& d : inputs.defines) s.setDefine(d);
     s.setAttribute(_library->program("pass/fullscreen.vert", "pass/" + name + ".frag"), on);
     for (GLenum mode : {GLenum(GL_BLEND), GLenum(GL_CULL_FACE), GLenum(GL_LIGHTING), GLenum(GL_ALPHA_TEST)}) s.setMode(mode, off);
+    if (inputs.adds) s.setAttributeAndModes(new osg::BlendFunc(GL_ONE, GL_ONE), on);
     s.setAttribute(new osg::PolygonMode, on);
     const bool composite = name == "composite";
     s.setAttributeAndModes(new osg::Depth(composite ? osg::Depth::LEQUAL : osg::Depth::ALWAYS, 0, 1, composite),
                            composite ? on : off);
-    if (!composite) s.setAttribute(c.view.viewport());
+    if (!composite) s.setAttribute(inputs.viewport ? inputs.viewport : c.view.viewport());
     std::vector<Sampler> all = {{"albedoMap", c.gbuffer.albedo.get()},
                                 {"normalMap", c.gbuffer.normal.get()},
                                 {"specularMap", c.gbuffer.specular.get()},
@@ -77,22 +79,26 @@ void DeferredTechnique::prepare(FullScreen& triangle, const osg::StateSet& state
 {
     triangle.textureUnits = std::max(state.getNumTextureAttributeLists(), c.view.plan.atlas ? Frame::atlasLightUnit + 1 : 0u);
     triangle.mapFromWorld = c.mapFromWorld;
-    if (c.view.atlas()) triangle.atlasOrigin = c.view.atlas()->origin();
+    triangle.subpixel = c.subpixel;
     triangle.timed = c.timed;
 }
 
 void DeferredTechnique::addPass(Cull& c, osgUtil::CullVisitor& cv, const std::string& name, Target& target, osg::StateSet& state,
-                                osg::StateSet* frameState)
+                                const ShadowAtlas* atlas)
 {
     osg::ref_ptr<Pass>& pass = c.frame.passes[name];
     if (!pass) pass = new Pass(new FullScreen(name, &c.view.timer(name)));
-    prepare(static_cast<FullScreen&>(pass->drawable()), state, c);
-    pass->add(c.host, *target.camera, *c.view.viewport(), state, frameState ? *frameState : *c.frame.uniforms,
-              cv.getProjectionMatrix(), cv.getModelViewMatrix());
+    auto& triangle = static_cast<FullScreen&>(pass->drawable());
+    prepare(triangle, state, c);
+    if (atlas) triangle.atlasOrigin = atlas->origin();
+    osg::StateSet& frameState = atlas ? c.frame.atlasState(*atlas, 1.0 / c.view.textures().map().mean) : *c.frame.uniforms;
+    pass->add(c.host, *target.camera, *target.viewport, state, frameState, cv.getProjectionMatrix(), cv.getModelViewMatrix());
 }
 
 void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
 {
+    if (c.rests()) return;
+    if (c.ownGBuffer) c.host.addPreRenderStage(c.frame.gbufferStage.get(), 0);
     const Plan& plan = c.view.plan;
     MapTextures& textures = c.view.textures();
     const std::vector<GLint> half = {GL_RGBA16F_ARB};
@@ -103,8 +109,13 @@ void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
     Target* specular = plan.specular ? &c.view.target("specular", {GL_RGBA32F_ARB}) : nullptr;
     Target* sums = plan.occlusion ? &c.view.target("occlusion", two) : nullptr;
     Target* filtered = plan.occlusion ? &c.view.target("filter", half) : nullptr;
+    const int bounceBlocks = 32;  // as in pass/bounce.frag
+    Target* blocks = plan.bounce ? &c.view.target("bounce", std::vector<GLint>(5, GL_RGBA32F_ARB), bounceBlocks) : nullptr;
+    const int bounceSums = 8;  // five are used
+    Target* bounce = plan.bounce ? &c.view.target("bouncesum", {GL_RGBA32F_ARB}, bounceSums) : nullptr;
     for (const Plan::Reason& r : plan.reasons)
         if (!r.runs) c.view.dropTarget(r.pass);
+    if (!plan.bounce) c.view.dropTarget("bouncesum");
 
     if (diffuse) {
         PassInputs in;
@@ -136,7 +147,50 @@ void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
         if (plan.suns) addSuns(state, textures);
         addPass(c, cv, "specular", *specular, state);
     }
+    if (c.adds()) {
+        addAccumulation(c, cv);
+        return;
+    }
     if (sums) addOcclusion(c, cv, *sums, *filtered);
+    if (blocks) addBounce(c, cv, *blocks, *bounce);
+    if (c.still) addStillPicture(c, cv);
+}
+
+// What pass/terms.glsl reads.
+DeferredTechnique::PassInputs DeferredTechnique::diffuseTerms(Cull& c)
+{
+    const Plan& plan = c.view.plan;
+    PassInputs in;
+    in.samplers.push_back({"emissionMap", c.gbuffer.emission.get()});
+    if (plan.diffuse) {
+        in.defines.push_back("HAS_DIFFUSE");
+        in.samplers.push_back({"diffuseTermMap", c.view.target("diffuse", {}).textures[0].get()});
+    }
+    if (plan.diffuse && plan.sunDiffuse) {
+        in.defines.push_back("HAS_SUNS");
+        in.samplers.push_back({"sunDiffuseMap", c.view.target("diffuse", {}).textures[1].get()});
+    }
+    if (plan.occlusion) {
+        in.defines.push_back("HAS_OCCLUSION");
+        in.samplers.push_back({"occlusionTermMap", c.view.target("filter", {}).textures[0].get()});
+    }
+    if (c.settings.combine == Settings::SUBTRACT) in.defines.push_back("COMBINE_SUBTRACT");
+    return in;
+}
+
+void DeferredTechnique::addBounce(Cull& c, osgUtil::CullVisitor& cv, Target& blocks, Target& sums)
+{
+    PassInputs first = diffuseTerms(c);
+    first.viewport = blocks.viewport.get();
+    addPass(c, cv, "bounce", blocks, passState(c, "bounce", first));
+    PassInputs second;
+    second.viewport = sums.viewport.get();
+    second.samplers = {{"plainMap", blocks.textures[0].get()},
+                       {"alongXMap", blocks.textures[1].get()},
+                       {"alongYMap", blocks.textures[2].get()},
+                       {"alongZMap", blocks.textures[3].get()},
+                       {"sentOnMap", blocks.textures[4].get()}};
+    addPass(c, cv, "bouncesum", sums, passState(c, "bouncesum", second));
 }
 
 void DeferredTechnique::addOcclusion(Cull& c, osgUtil::CullVisitor& cv, Target& sums, Target& filtered)
@@ -144,58 +198,65 @@ void DeferredTechnique::addOcclusion(Cull& c, osgUtil::CullVisitor& cv, Target& 
     const Plan& plan = c.view.plan;
     MapTextures& textures = c.view.textures();
     PassInputs in;
-    osg::StateSet* frameState = nullptr;
+    ShadowAtlas* atlas = nullptr;
     if (plan.atlas) {
+        atlas = c.view.atlas("atlas", plan.occlusionLights, unsigned(c.settings.atlasSize)).maps.get();
         in.defines.push_back("HAS_ATLAS");
-        in.samplers = {{"atlasMap", c.view.atlas()->texture()}};
-        frameState = &c.frame.atlasState(*c.view.atlas(), 1.0 / textures.map().mean);
+        in.samplers = {{"atlasMap", atlas->texture()}};
     } else {
         in.lights = plan.occlusionLights;
         in.samplers = {{"occlusionLightMap", textures.occlusionLights(plan.occlusionLights)}};
     }
     const bool rays = !plan.atlas && c.settings.occlusionMethod == Settings::RAY;
     if (plan.screen) in.defines.push_back(rays ? "OCCLUSION_RAYS" : "OCCLUSION_SLICES");
-    addPass(c, cv, "occlusion", sums, passState(c, "occlusion", in), frameState);
+    addPass(c, cv, "occlusion", sums, passState(c, "occlusion", in), atlas);
     PassInputs filter;
     if (c.settings.combine == Settings::SUBTRACT) filter.defines.push_back("COMBINE_SUBTRACT");
     filter.samplers = {{"numMap", sums.textures[0].get()}, {"denMap", sums.textures[1].get()}};
     addPass(c, cv, "filter", filtered, passState(c, "filter", filter));
 }
 
-DeferredTechnique::PassInputs DeferredTechnique::compositeInputs(Cull& c)
+// What pass/picture.glsl reads.
+DeferredTechnique::PassInputs DeferredTechnique::pictureInputs(Cull& c)
 {
     const Plan& plan = c.view.plan;
+    PassInputs in = diffuseTerms(c);
+    auto addTerm = [&](bool has, const char* define, const char* name, const char* pass) {
+        if (!has) return;
+        in.defines.push_back(define);
+        in.samplers.push_back({name, c.view.target(pass, {}).textures[0].get()});
+    };
+    addTerm(plan.specular, "HAS_SPECULAR", "specularTermMap", "specular");
+    addTerm(plan.bounce, "HAS_BOUNCE", "bounceMap", "bouncesum");
+    if (c.settings.background != Settings::BACKGROUND_OFF) in.defines.push_back("BACKGROUND");
+    if (c.settings.background == Settings::BACKGROUND_BLUR) {
+        in.defines.push_back("BACKGROUND_BLUR");
+        in.samplers.push_back({"pyramidMap", c.view.textures().pyramid()});
+    }
+    if (c.settings.background == Settings::BACKGROUND_ON || c.settings.view == Settings::LIGHT_LIST)
+        in.samplers.push_back({"latlongMap", c.view.textures().latlong()});
+    return in;
+}
+
+DeferredTechnique::PassInputs DeferredTechnique::compositeInputs(Cull& c)
+{
     const Settings& s = c.settings;
-    MapTextures& textures = c.view.textures();
     PassInputs in;
     std::vector<std::string>& defines = in.defines;
     std::vector<Sampler>& samplers = in.samplers;
-    samplers.push_back({"emissionMap", c.gbuffer.emission.get()});
-    auto addTerm = [&](bool has, const char* define, const char* name, const char* pass) {
-        if (!has) return;
-        defines.push_back(define);
-        samplers.push_back({name, c.view.target(pass, {}).textures[0].get()});
-    };
-    addTerm(plan.diffuse, "HAS_DIFFUSE", "diffuseTermMap", "diffuse");
-    if (plan.diffuse && plan.sunDiffuse) {
-        defines.push_back("HAS_SUNS");
-        samplers.push_back({"sunDiffuseMap", c.view.target("diffuse", {}).textures[1].get()});
+    if (c.still && c.still->frames() > 0) {
+        defines.push_back("ACCUMULATED");
+        if (s.background != Settings::BACKGROUND_OFF) defines.push_back("BACKGROUND");
+        samplers = {{"stillMap", c.view.target("still", {}).textures[0].get()},
+                    {"accumulatedMap", c.view.target("accumulate", {}).textures[0].get()}};
+    } else {
+        in = pictureInputs(c);
     }
-    addTerm(plan.specular, "HAS_SPECULAR", "specularTermMap", "specular");
-    addTerm(plan.occlusion, "HAS_OCCLUSION", "occlusionTermMap", "filter");
-    if (s.combine == Settings::SUBTRACT) defines.push_back("COMBINE_SUBTRACT");
     if (s.output == Settings::LINEAR) defines.push_back("OUTPUT_LINEAR");
-    if (s.background != Settings::BACKGROUND_OFF) defines.push_back("BACKGROUND");
-    if (s.background == Settings::BACKGROUND_BLUR) {
-        defines.push_back("BACKGROUND_BLUR");
-        samplers.push_back({"pyramidMap", textures.pyramid()});
-    }
-    if (s.background == Settings::BACKGROUND_ON || s.view == Settings::LIGHT_LIST)
-        samplers.push_back({"latlongMap", textures.latlong()});
     if (s.view != Settings::BEAUTY) defines.push_back("VIEW_TERM");
     if (s.view == Settings::LIGHT_LIST) {
-        in.lights = unsigned(textures.diffuseList().size());
-        samplers.push_back({"diffuseLightMap", textures.diffuseLights()});
+        in.lights = unsigned(c.view.textures().diffuseList().size());
+        samplers.push_back({"diffuseLightMap", c.view.textures().diffuseLights()});
     }
     return in;
 }

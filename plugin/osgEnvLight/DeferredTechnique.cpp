@@ -65,7 +65,8 @@ try {
            gbuffer,
            osg::Matrixd::rotate(osg::DegreesToRadians(-degrees), 0, 0, 1),
            radianceScale,
-           node.getTimed()};
+           node.getTimed(),
+           !node.getGBuffer()};
     const double radius = node.getBound().valid() ? double(node.getBound().radius()) : 0.0;
     const osg::Matrixd worldFromEye =
         host->getInitialViewMatrix() ? osg::Matrixd::inverse(*host->getInitialViewMatrix()) : osg::Matrixd();
@@ -83,6 +84,7 @@ try {
     vd.plan =
         Plan::make(*settings, vd.plan.surfaces, radianceScale <= 0.0, radius, carrier, textures->sunShare(), c.casters.size());
     addAtlas(c, cv);
+    advanceStillView(c, cv, worldFromEye);
     addPasses(c, cv);
     addComposite(c, cv);
     for (const ForwardGraph& f : forward) f.bin->addStateGraph(f.graph);
@@ -205,7 +207,10 @@ void DeferredTechnique::fillGBuffer(Cull& c, LitScene& node, osgUtil::CullVisito
         std::lock_guard<std::mutex> lock(_mutex);
         osg::StateSet& state = gbufferState(c);
         if (f.fillState != &state) {
-            f.fill = new GBufferCallback(&c.gbuffer, &state, _sorter.get());
+            const osg::ref_ptr<osg::StateSet> own = new osg::StateSet(state);
+            f.subpixel = new osg::Uniform("subpixel", osg::Vec2());
+            own->addUniform(f.subpixel);
+            f.fill = new GBufferCallback(&c.gbuffer, own.get(), _sorter.get());
             f.fillState = &state;
         }
         if (!f.gbufferCamera || f.gbufferTimed != c.timed) {
@@ -238,7 +243,6 @@ void DeferredTechnique::fillGBuffer(Cull& c, LitScene& node, osgUtil::CullVisito
         cv.setCurrentRenderBin(hostBin);
     });
     cv.popViewport();
-    c.host.addPreRenderStage(f.gbufferStage.get(), 0);
 }
 
 void DeferredTechnique::reloadShaders()
@@ -274,6 +278,14 @@ std::vector<DeferredTechnique::PassTime> DeferredTechnique::passTimes() const
             times.push_back({r.pass, timer->second->gpu(), timer->second->cpu()});
     }
     return times;
+}
+
+DeferredTechnique::Average DeferredTechnique::average() const
+{
+    std::lock_guard<std::mutex> lock(_mutex);
+    osg::ref_ptr<ViewData> view;
+    if (!_lastView.lock(view) || !view->still()) return Average();
+    return {view->still()->frames(), view->still()->standardError()};
 }
 
 size_t DeferredTechnique::bytes() const

@@ -81,7 +81,8 @@ void FullScreen::drawImplementation(osg::RenderInfo& renderInfo) const
     const osg::Program::PerContextProgram* program = state.getLastAppliedProgramObject();
     if (!program) return;  // it has reported why
     const Uploader upload(*program, *state.get<osg::GLExtensions>());
-    const osg::Matrixd projection(state.getProjectionMatrix());
+    const osg::Matrixd projection =
+        osg::Matrixd(state.getProjectionMatrix()) * osg::Matrixd::translate(subpixel[0], subpixel[1], 0.0);
     const osg::Matrixd eyeToWorld = osg::Matrixd::inverse(state.getInitialViewMatrix());
     const auto* viewport = static_cast<const osg::Viewport*>(state.getLastAppliedAttribute(osg::StateAttribute::VIEWPORT));
     upload.matrix4("projection", projection);

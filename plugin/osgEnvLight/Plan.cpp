@@ -16,7 +16,7 @@ struct Decision {
     bool runs = true;
     std::string reason;
 
-    Decision& unless(bool condition, const char* why)
+    Decision& unless(bool condition, const std::string& why)
     {
         if (condition && runs) {
             runs = false;
@@ -108,6 +108,18 @@ Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack
         atlas.reason = count(plan.occlusionLights, "maps of ") + std::to_string(s.atlasSize) + " x " +
                        std::to_string(s.atlasSize) + " of " + std::to_string(casters) + " drawables";
 
+    Decision bounce;
+    bounce.unless(s.bounce == Settings::BOUNCE_OFF, "switched off").unless(!occlusion.runs, "no light is blocked");
+    bounce.unless(!atlas.runs, "without the atlas nobody knows how much of the map a surface sees");
+    plan.bounce = bounce.runs;
+    if (bounce.runs) bounce.reason = "mean radiance of the picture where light is blocked";
+
+    Decision accumulate;
+    accumulate.unless(!s.accumulate, "switched off").unless(s.view != Settings::BEAUTY, "an intermediate is shown");
+    accumulate.unless(!atlas.runs,
+                      "without the atlas there is nothing to converge to: " + (atlas.runs ? std::string() : atlas.reason));
+    plan.accumulate = accumulate.runs;
+
     plan.reasons = {{"gbuffer", true, count(surfaces.deferred, "drawables, ") + count(surfaces.forward, "drawn forward")},
                     {"suns", sun.runs, sun.reason},
                     {"diffuse", diffuse.runs, diffuse.reason},
@@ -115,6 +127,8 @@ Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack
                     {"atlas", atlas.runs, atlas.reason},
                     {"occlusion", occlusion.runs, occlusion.reason},
                     {"filter", occlusion.runs, occlusion.runs ? "averages the 16 groups of lights" : occlusion.reason},
+                    {"bounce", bounce.runs, bounce.reason},
+                    {"accumulate", accumulate.runs, accumulate.runs ? "while nothing moves" : accumulate.reason},
                     {"composite", true, "into the host's colour and depth"}};
     return plan;
 }

@@ -136,10 +136,23 @@ const std::vector<Settings::Property>& Settings::table()
                "width of the filter that averages the groups of lights"),
         choice("combine", &S::combine, {"ratio", "subtract"},
                "D - O as D times the filtered visibility, or as the printed subtraction of two light lists"),
+        choice(
+            "bounce", &S::bounce, {"off", "mean"},
+            "what is reflected from surface to surface: nothing, or the mean of what the picture shows where light is blocked, "
+            "by the share of directions that a pixel does not see of the map"),
+        onOff("accumulate", &S::accumulate,
+              "while camera, scene and map stand still, average frames with fresh lights, shadow maps and sub-pixel offsets "
+              "until the "
+              "picture is that of exact direct light"),
+        number("accumulateFrames", &S::accumulateFrames, 1, 65536, "frames",
+               "frames of 16 lights that a still view averages before it rests"),
+        number("accumulateSize", &S::accumulateSize, 16, 4096, "texels",
+               "largest side of the shadow maps of a still view, which begin with 256"),
         choice("background", &S::background, {"off", "on", "blur"}, "the map behind the scene"),
         real("backgroundBlur", &S::backgroundBlur, 0, 90, "degrees", "width of the blur of background = blur"),
         choice("view", &S::view,
-               {"beauty", "diffuse", "specular", "occlusion", "visibility", "albedo", "normal", "depth", "emission", "lights"},
+               {"beauty", "diffuse", "specular", "occlusion", "visibility", "albedo", "normal", "depth", "emission", "bounce",
+                "lights"},
                "the picture, or one of its intermediates"),
         choice("output", &S::output, {"display", "linear"},
                "what the host receives: exposed, tone mapped and encoded for a display, or scene-linear radiance"),

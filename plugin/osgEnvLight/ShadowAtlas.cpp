@@ -3,6 +3,7 @@
 
 #include <osgEnvLight/CasterMesh>
 #include <osgEnvLight/GBuffer>
+#include <osgEnvLight/MapSequence>
 #include <osgEnvLight/SolidAngles>
 
 #include <algorithm>
@@ -50,6 +51,7 @@ double diagonal(const osg::BoundingBoxd& box)
 ShadowAtlas::ShadowAtlas(unsigned lightCount, unsigned mapSize)
     : lights(lightCount),
       size(mapSize),
+      batch(std::clamp(1024u / mapSize, 1u, 8u)),
       _maps(lightCount),
       _columns(unsigned(std::ceil(std::sqrt(double(lightCount))))),
       _midpoints(targetTexture(int(_columns * size), int((lights + _columns - 1) / _columns * size), GL_R16)),
@@ -79,7 +81,8 @@ void ShadowAtlas::place(Map& map, unsigned index, const osg::Vec3d& direction) c
 {
     const glsl::mat3 frame = glsl::frameAround(glsl::vec3(direction.x(), direction.y(), direction.z()));
     const osg::Vec3d t(frame[0].x, frame[0].y, frame[0].z), b(frame[1].x, frame[1].y, frame[1].z);
-    const double turn = 2.39996322972865332 * index;  // golden angle: neighbours' texels don't fall in step
+    // Golden angle: neighbours' texels don't fall in step.
+    const double turn = 2.39996322972865332 * (index + double(lights) * _turn);
     map.across = t * std::cos(turn) + b * std::sin(turn);
     map.up = b * std::cos(turn) - t * std::sin(turn);
     map.along = direction;
@@ -90,6 +93,9 @@ void ShadowAtlas::place(Map& map, unsigned index, const osg::Vec3d& direction) c
         for (const osg::Vec3d& axis : {map.across, map.up, map.along}) map.radius = std::max(map.radius, std::abs(corner * axis));
     }
     map.radius *= 1.0 + 2.0 / size;  // a texel about
+    if (_turn == 0) return;
+    const osg::Vec2d shift = r2Point(index + lights * _turn) - osg::Vec2d(0.5, 0.5);
+    map.center += (map.across * shift[0] + map.up * shift[1]) * (2.0 * map.radius / size);
 }
 
 osg::Matrixd ShadowAtlas::projection(const Map& map) const

@@ -4,8 +4,18 @@
 namespace osgEnvLight
 {
 
+namespace
+{
+
+size_t bytesOf(GLint format)
+{
+    return format == GL_RGBA32F_ARB ? 16 : format == GL_R32F ? 4 : 8;
+}
+
+}  // namespace
+
 Target::Target(int width, int height, const std::vector<GLint>& formats, Failure* failure)
-    : frameBuffer(new osg::FrameBufferObject), camera(new StageCamera)
+    : frameBuffer(new osg::FrameBufferObject), camera(new StageCamera), viewport(new osg::Viewport(0, 0, width, height))
 {
     for (size_t i = 0; i < formats.size(); ++i) {
         textures.push_back(targetTexture(width, height, formats[i]));
@@ -15,6 +25,14 @@ Target::Target(int width, int height, const std::vector<GLint>& formats, Failure
     BindTargets::install(*camera, frameBuffer.get(), nullptr, failure);
 }
 
+size_t Target::bytes() const
+{
+    size_t sum = 0;
+    for (const auto& t : textures)
+        sum += size_t(t->getTextureWidth()) * size_t(t->getTextureHeight()) * bytesOf(t->getInternalFormat());
+    return sum;
+}
+
 Frame::Frame()
     : gbufferStage(new osgUtil::RenderStage),
       uniforms(new osg::StateSet),
@@ -22,15 +40,22 @@ Frame::Frame()
       _radianceScale(new osg::Uniform("radianceScale", 0.0f)),
       _pyramidSide(new osg::Uniform("pyramidSide", 0.0f)),
       _pyramidLastLevel(new osg::Uniform("pyramidLastLevel", 0.0f)),
-      _mapFromEye(new osg::Uniform(osg::Uniform::FLOAT_MAT3, "mapFromEyeForward"))
+      _mapFromEye(new osg::Uniform(osg::Uniform::FLOAT_MAT3, "mapFromEyeForward")),
+      _sampleShift(new osg::Uniform("sampleShift", osg::Vec2())),
+      _sampleFrames(new osg::Uniform("sampleFrames", 1.0f)),
+      _frameWeight(new osg::Uniform("frameWeight", 0.0f)),
+      _accumulatedWeight(new osg::Uniform("accumulatedWeight", 0.0f)),
+      _accumulatedShare(new osg::Uniform("accumulatedShare", 0.0f)),
+      _accumulatedFrames(new osg::Uniform("accumulatedFrames", 0.0f))
 {
     for (const Settings::Property& p : Settings::table()) {
         const bool real = std::holds_alternative<float Settings::*>(p.member);
         _settings.push_back(new osg::Uniform(real ? osg::Uniform::FLOAT : osg::Uniform::INT, p.name));
         uniforms->addUniform(_settings.back());
     }
-    for (osg::Uniform* u :
-         {_sceneRadius.get(), _radianceScale.get(), _pyramidSide.get(), _pyramidLastLevel.get(), _mapFromEye.get()})
+    for (osg::Uniform* u : {_sceneRadius.get(), _radianceScale.get(), _pyramidSide.get(), _pyramidLastLevel.get(),
+                            _mapFromEye.get(), _sampleShift.get(), _sampleFrames.get(), _frameWeight.get(),
+                            _accumulatedWeight.get(), _accumulatedShare.get(), _accumulatedFrames.get()})
         uniforms->addUniform(u);
 }
 
@@ -55,12 +80,26 @@ void Frame::setUniforms(const Settings& settings, double sceneRadius, double rad
     _mapFromEye->set(m);
 }
 
+void Frame::setUniforms(const Accumulation* still)
+{
+    const bool adds = still && still->adds();
+    // Other points than those of the picture's offset.
+    const osg::Vec2d shift = adds ? r2Point(still->frames() + 4096) : osg::Vec2d();
+    _sampleShift->set(osg::Vec2(shift));
+    _sampleFrames->set(adds ? float(still->frames()) : 1.0f);
+    _frameWeight->set(adds ? float(still->weight()) : 0.0f);
+    _accumulatedWeight->set(still ? float(still->weightSum()) : 0.0f);
+    _accumulatedShare->set(still ? float(still->share()) : 0.0f);
+    _accumulatedFrames->set(still ? float(still->equalFrames()) : 0.0f);
+}
+
 osg::StateSet& Frame::atlasState(const ShadowAtlas& atlas, double scale)
 {
     if (!_atlasState) {
         _atlasState = new osg::StateSet(*uniforms);
         _atlasState->addUniform(new osg::Uniform("atlasLightMap", int(atlasLightUnit)));
         _atlasState->addUniform(new osg::Uniform("atlasTexel", 0.0f));
+        _atlasState->addUniform(new osg::Uniform("atlasSize", 0));  // a still view's differs from the setting
     }
     if (_atlas != &atlas || _atlasVersion != atlas.version() || _atlasScale != scale) {
         const osg::ref_ptr<osg::Image> image = atlas.lightImage(scale);
@@ -68,6 +107,7 @@ osg::StateSet& Frame::atlasState(const ShadowAtlas& atlas, double scale)
         texture->setImage(image);
         _atlasState->setTextureAttribute(atlasLightUnit, texture);
         _atlasState->getUniform("atlasTexel")->set(float(atlas.texel()));
+        _atlasState->getUniform("atlasSize")->set(int(atlas.size));
         _atlas = &atlas;
         _atlasVersion = atlas.version();
         _atlasScale = scale;
@@ -85,6 +125,7 @@ void ViewData::fit(int width, int height, MapTextures* textures)
         _gbuffer = nullptr;
         _targets.clear();
         _frames.clear();
+        _accumulation = nullptr;
     }
     if (sizeChanged || textures != _textures.get()) _states.clear();
     _textures = textures;
@@ -96,25 +137,32 @@ GBuffer& ViewData::gbuffer()
     return *_gbuffer;
 }
 
-Target& ViewData::target(const std::string& pass, const std::vector<GLint>& formats)
+Target& ViewData::target(const std::string& pass, const std::vector<GLint>& formats, int side)
 {
     osg::ref_ptr<Target>& target = _targets[pass];
     if (!target || (!formats.empty() && formats.size() != target->textures.size())) {
-        target = new Target(_width, _height, formats, _failure.get());
+        target = new Target(side ? side : _width, side ? side : _height, formats, _failure.get());
         _states.clear();  // those that read the pass's former target
     }
     return *target;
 }
 
-ShadowAtlas& ViewData::atlas(unsigned lights, unsigned size)
+ViewData::Atlas& ViewData::atlas(const std::string& pass, unsigned lights, unsigned size)
 {
-    if (!_atlas || _atlas->lights != lights || _atlas->size != size) {
-        _atlas = new ShadowAtlas(lights, size);
-        _atlasCamera = new StageCamera;
-        BindTargets::install(*_atlasCamera, _atlas->target(), nullptr, _failure.get());
+    Atlas& atlas = _atlases[pass];
+    if (!atlas.maps || atlas.maps->lights != lights || atlas.maps->size != size) {
+        atlas.maps = new ShadowAtlas(lights, size);
+        atlas.camera = new StageCamera;
+        BindTargets::install(*atlas.camera, atlas.maps->target(), nullptr, _failure.get());
         _states.clear();  // those that read the former one
     }
-    return *_atlas;
+    return atlas;
+}
+
+Accumulation& ViewData::accumulation()
+{
+    if (!_accumulation) _accumulation = new Accumulation;
+    return *_accumulation;
 }
 
 ViewData::State ViewData::state(const std::string& key)
@@ -143,7 +191,7 @@ void ViewData::resizeGLObjectBuffers(unsigned maximum)
 {
     if (_gbuffer) _gbuffer->resizeGLObjectBuffers(maximum);
     if (_textures) _textures->resizeGLObjectBuffers(maximum);
-    if (_atlas) _atlas->resizeGLObjectBuffers(maximum);
+    for (auto& [pass, atlas] : _atlases) atlas.maps->resizeGLObjectBuffers(maximum);
     for (auto& [name, target] : _targets) {
         for (auto& t : target->textures) t->resizeGLObjectBuffers(maximum);
         target->frameBuffer->resizeGLObjectBuffers(maximum);
@@ -159,7 +207,8 @@ void ViewData::releaseGLObjects(osg::State* state) const
 {
     if (_gbuffer) _gbuffer->releaseGLObjects(state);
     if (_textures) _textures->releaseGLObjects(state);
-    if (_atlas) _atlas->releaseGLObjects(state);
+    for (const auto& [pass, atlas] : _atlases) atlas.maps->releaseGLObjects(state);
+    if (_accumulation) _accumulation->reset();
     for (const auto& [name, target] : _targets) {
         for (const auto& t : target->textures) t->releaseGLObjects(state);
         target->frameBuffer->releaseGLObjects(state);
@@ -174,9 +223,9 @@ void ViewData::releaseGLObjects(osg::State* state) const
 size_t ViewData::bytes() const
 {
     const size_t pixels = size_t(_width) * size_t(_height);
-    size_t sum = (_gbuffer ? 36 * pixels : 0) + (_atlas ? _atlas->bytes() : 0);
-    for (const auto& [name, target] : _targets)
-        for (const auto& t : target->textures) sum += pixels * (t->getInternalFormat() == GL_RGBA32F_ARB ? 16 : 8);
+    size_t sum = _gbuffer ? 36 * pixels : 0;
+    for (const auto& [pass, atlas] : _atlases) sum += atlas.maps->bytes();
+    for (const auto& [name, target] : _targets) sum += target->bytes();
     return sum;
 }
 

@@ -18,6 +18,11 @@ bool Statistics::write(const std::string& fileName, const osgEnvLight::LitScene&
     j["frames"] = frames;
     j["firstFrameMilliseconds"] = firstFrame;
     j["lastFrameMilliseconds"] = lastFrame;
+    if (lit.plan().accumulate) {
+        const osgEnvLight::DeferredTechnique::Average average = lit.average();
+        j["average"] = {{"frames", average.frames}, {"lights", average.frames * osgEnvLight::Accumulation::lightsPerFrame}};
+        if (average.standardError >= 0.0) j["average"]["standardError"] = average.standardError;
+    }
     j["textureBytes"] = lit.textureBytes();
     const osgEnvLight::Plan plan = lit.plan();
     for (const auto& r : plan.reasons) j["plan"].push_back({{"pass", r.pass}, {"runs", r.runs}, {"reason", r.reason}});

@@ -18,7 +18,8 @@ struct Arguments {
     SceneOptions scene;
     std::string output;
     std::string term;
-    int frames = 2;  // the second has all textures and shaders
+    int frames = 0;
+    double error = 0.0;
     std::string statistics;
 };
 
@@ -27,9 +28,32 @@ void addOptions(CLI::App& app, Arguments& a)
     a.scene.addTo(app);
     app.add_option("--term", a.term,
                    "an intermediate instead of the picture: diffuse, specular, occlusion, albedo, normal, depth ...");
-    app.add_option("--frames", a.frames, "frames to draw, the last is written; default 2")->check(CLI::Range(1, 1000000));
+    app.add_option(
+           "--frames", a.frames,
+           "let the still picture converge (accumulate=on) over so many frames: the first is the normal one, each further "
+           "one adds 16 lights with shadow maps of their own")
+        ->check(CLI::Range(1, 65536));
+    app.add_option(
+           "--error", a.error,
+           "let it converge until its estimated standard error is this share of its mean, or for --frames, or 4096, frames")
+        ->check(CLI::Range(1e-6, 1.0));
     app.add_option("--stats", a.statistics, "JSON file for plan and times");
     app.add_option("-o,--output", a.output, "OUT.exr (linear radiance) or OUT.png (exposed and tone mapped)")->required();
+}
+
+// Draws what is to be written.
+void draw(HeadlessViewer& viewer, const osgEnvLight::LitScene& lit, const Arguments& a, Statistics& statistics)
+{
+    const bool converges = lit.getSettings()->accumulate;
+    const int normalFrames = 2;  // the second has all textures and shaders
+    const int most = a.frames > 0 ? a.frames : a.error > 0.0 ? 4096 : normalFrames;
+    while (statistics.frames < most) {
+        const double time = converges ? 0.0 : statistics.frames / 30.0;
+        (statistics.frames == 0 ? statistics.firstFrame : statistics.lastFrame) = viewer.draw(time);
+        ++statistics.frames;
+        const double error = lit.average().standardError;
+        if (a.error > 0.0 && error >= 0.0 && error <= a.error) break;
+    }
 }
 
 int run(Arguments& a)
@@ -40,11 +64,13 @@ int run(Arguments& a)
     if (extension != "exr" && extension != "png")
         throw BadArguments("-o is '" + a.output + "', expected a name ending in .exr or .png");
     if (!a.term.empty()) a.scene.settings.push_back("view=" + a.term);
+    if (a.frames > 0 || a.error > 0.0)
+        a.scene.settings.insert(a.scene.settings.begin(), {"accumulate=on", "accumulateFrames=65536"});
     osg::ref_ptr<osgEnvLight::LitScene> lit = a.scene.load(extension == "exr");
     HeadlessViewer viewer(*lit, a.scene);
-    Statistics statistics{a.scene.scene, a.scene.width, a.scene.height, a.frames};
+    Statistics statistics{a.scene.scene, a.scene.width, a.scene.height};
     lit->setTimed(!a.statistics.empty());
-    for (int i = 0; i < a.frames; ++i) (i == 0 ? statistics.firstFrame : statistics.lastFrame) = viewer.draw(i / 30.0);
+    draw(viewer, *lit, a, statistics);
     writeImageFile(extension == "exr" ? *viewer.image() : *osgEnvLight::eightBit(viewer.picture()), a.output);
     std::string error;
     if (!a.statistics.empty() && !statistics.write(a.statistics, *lit, viewer.context(), error)) throw std::runtime_error(error);

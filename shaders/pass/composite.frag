@@ -1,86 +1,23 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// L = L_e + S + D - O [seed 000, eq. 3], into the host's own colour and depth, or any intermediate in its place.
-#pragma import_defines(HAS_DIFFUSE, HAS_SUNS, HAS_SPECULAR, HAS_OCCLUSION, COMBINE_SUBTRACT, BACKGROUND, BACKGROUND_BLUR, VIEW_TERM, OUTPUT_LINEAR)
+// The picture, or any intermediate in its place, into the host's own colour and depth.
+#pragma import_defines(HAS_DIFFUSE, HAS_SUNS, HAS_SPECULAR, HAS_OCCLUSION, HAS_BOUNCE, COMBINE_SUBTRACT, BACKGROUND, BACKGROUND_BLUR, ACCUMULATED, VIEW_TERM, OUTPUT_LINEAR)
 
-#include "lib/constants.glsl"
-#include "lib/latlong.glsl"
-#include "lib/octahedral.glsl"
 #include "pass/display.glsl"
-#include "pass/gbuffer.glsl"
+#include "pass/picture.glsl"
 #include "pass/view.glsl"
 
-uniform sampler2D emissionMap;
-uniform sampler2D diffuseTermMap;
-uniform sampler2D sunDiffuseMap;
-uniform sampler2D specularTermMap;
-uniform sampler2D occlusionTermMap;
-uniform sampler2D latlongMap;
-uniform sampler2D pyramidMap;
 uniform sampler2D diffuseLightMap;
-uniform float pyramidSide;
-uniform float pyramidLastLevel;
-uniform float backgroundBlur;  // degrees
-uniform float radianceScale;   // the map's mean radiance times its intensity
 uniform float sceneRadius;
 uniform vec2 viewportOrigin;
+#ifdef ACCUMULATED
+uniform sampler2D stillMap;        // the picture of the first frame
+uniform sampler2D accumulatedMap;  // weighted sum of all later ones
+uniform float accumulatedWeight;
+uniform float accumulatedShare;    // of the average in what is shown
+#endif
 
 layout(location = 0) out vec4 color;
-
-vec3 background(vec3 d)
-{
-#ifdef BACKGROUND_BLUR
-    // The level whose texels are as wide as the blur
-    float lod = log2(max(radians(backgroundBlur), 1e-6) * pyramidSide / sqrt(4.0 * PI));
-    return pyramidLookup(pyramidMap, pyramidSide, pyramidLastLevel, d, lod) * radianceScale;
-#else
-    return textureLod(latlongMap, latlongFromDirection(d), 0.0).rgb * radianceScale;
-#endif
-}
-
-vec3 diffuseTerm(ivec2 p)
-{
-#ifdef HAS_DIFFUSE
-    return texelFetch(diffuseTermMap, p, 0).rgb * radianceScale;
-#else
-    return vec3(0.0);
-#endif
-}
-
-vec3 sunDiffuse(ivec2 p)
-{
-#ifdef HAS_SUNS
-    return texelFetch(sunDiffuseMap, p, 0).rgb * radianceScale;
-#else
-    return vec3(0.0);
-#endif
-}
-
-vec3 specularTerm(ivec2 p)
-{
-#ifdef HAS_SPECULAR
-    return texelFetch(specularTermMap, p, 0).rgb * radianceScale;
-#else
-    return vec3(0.0);
-#endif
-}
-
-// D - O
-vec3 occludedDiffuse(ivec2 p)
-{
-    vec3 d = diffuseTerm(p);
-#ifdef HAS_OCCLUSION
-    vec3 o = texelFetch(occlusionTermMap, p, 0).rgb;
-#ifdef COMBINE_SUBTRACT
-    // Two light lists: the difference may come out below zero, which no radiance is.
-    return max(d - texelFetch(albedoMap, p, 0).rgb * o * radianceScale, vec3(0.0));
-#else
-    return d * o;
-#endif
-#else
-    return d;
-#endif
-}
 
 #ifdef VIEW_TERM
 uniform int view;
@@ -131,6 +68,7 @@ vec3 termView(ivec2 p, vec3 d, float pixel)
 #ifdef HAS_OCCLUSION
     if (view == VIEW_VISIBILITY) return occludedDiffuse(p) / max(diffuseTerm(p), vec3(1e-20));
 #endif
+    if (view == VIEW_BOUNCE) return bounce(p);
     if (view == VIEW_LIGHTS) return lightsView(d, pixel);
     return vec3(1.0);
 }
@@ -145,20 +83,23 @@ void main()
 #ifdef VIEW_TERM
     float pixel = length(dFdx(d));
 #endif
-    if (depth >= 1.0) {
-#ifdef VIEW_TERM
-        color = vec4(view == VIEW_LIGHTS ? display(lightsView(d, pixel), p) : vec3(0.0), 0.0);
-#elif defined(BACKGROUND)
-        color = vec4(display(background(d), p), 0.0);
-#else
-        discard;
+#ifdef ACCUMULATED
+    vec4 average = texelFetch(accumulatedMap, p, 0) / accumulatedWeight;
+    vec4 picture = mix(texelFetch(stillMap, p, 0), average, accumulatedShare);
+#ifndef BACKGROUND
+    if (depth >= 1.0) discard;
 #endif
-        return;
-    }
-#ifdef VIEW_TERM
-    color = vec4(display(termView(p, d, pixel), p), 1.0);
+    color = vec4(display(picture.rgb, p), picture.a);
+#elif defined(VIEW_TERM)
+    if (depth >= 1.0)
+        color = vec4(view == VIEW_LIGHTS ? display(lightsView(d, pixel), p) : vec3(0.0), 0.0);
+    else
+        color = vec4(display(termView(p, d, pixel), p), 1.0);
 #else
-    vec3 radiance = texelFetch(emissionMap, p, 0).rgb + specularTerm(p) + sunDiffuse(p) + occludedDiffuse(p);
-    color = vec4(display(radiance, p), 1.0);
+#ifndef BACKGROUND
+    if (depth >= 1.0) discard;
+#endif
+    vec4 picture = pictureRadiance(p, d);
+    color = vec4(display(picture.rgb, p), picture.a);
 #endif
 }

@@ -53,17 +53,20 @@ void main()
     if (isBackground(p)) return;
     vec3 n = pixelNormal(p);
     vec3 rho = texelFetch(albedoMap, p, 0).rgb;
+    float share = 1.0;  // of the albedo that diffuse light meets
 #ifdef HAS_COOK_TORRANCE
     // What the lobe reflects never reaches the layer below.
     if (pixelBrdf(p) == BRDF_COOK_TORRANCE) {
         vec3 f0 = texelFetch(specularMap, p, 0).rgb;
         vec2 e = lobeAlbedo(texelFetch(normalMap, p, 0).a, -dot(n, viewRay(inverseProjection, pixelNdc(p))));
-        rho *= max(1.0 - (f0 * e.x + e.y) * multipleScattering(f0, e.x + e.y), vec3(0.0));
+        vec3 left = max(1.0 - (f0 * e.x + e.y) * multipleScattering(f0, e.x + e.y), vec3(0.0));
+        rho *= left;
+        share = dot(left, vec3(1.0 / 3.0));
     }
 #endif
     if (max(rho.r, max(rho.g, rho.b)) <= 0.0) return;
     vec3 mapNormal = mapFromEye * n;
-    diffuse = vec4(rho * irradianceOverPi(mapNormal), 1.0);
+    diffuse = vec4(rho * irradianceOverPi(mapNormal), share);
 #ifdef HAS_SUNS
     sunDiffuse = vec4(rho * sunIrradianceOverPi(mapNormal), 1.0);
 #endif

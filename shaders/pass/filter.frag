@@ -24,8 +24,8 @@ void main()
     float footprint = pixelFootprint(inverseProjection, pixelNdc(p), texelFetch(depthMap, p, 0).r, viewportSize);
     int halfWidth = 2 * filterCells;
     ivec2 last = ivec2(viewportSize) - 1;
-    vec3 num = vec3(0.0);
-    vec3 den = vec3(0.0);
+    vec4 num = vec4(0.0);
+    vec4 den = vec4(0.0);
     float sum = 0.0;
     for (int y = -halfWidth; y <= halfWidth; ++y)
         for (int x = -halfWidth; x <= halfWidth; ++x) {
@@ -33,14 +33,15 @@ void main()
             if (q.x < 0 || q.y < 0 || q.x > last.x || q.y > last.y || isBackground(q)) continue;
             float w = cellWeight(x, halfWidth) * cellWeight(y, halfWidth) *
                       geometryWeight(eye, n, pixelEye(q), pixelNormal(q), footprint);
-            num += w * texelFetch(numMap, q, 0).rgb;
-            den += w * texelFetch(denMap, q, 0).rgb;
+            num += w * texelFetch(numMap, q, 0);
+            den += w * texelFetch(denMap, q, 0);
             sum += w;
         }
 #ifdef COMBINE_SUBTRACT
-    occlusion.rgb = (den - num) / sum * (16.0 * INV_PI);
+    occlusion.rgb = (den.rgb - num.rgb) / sum * (16.0 * INV_PI);
 #else
     occlusion.rgb = vec3(den.r > 0.0 ? num.r / den.r : 1.0, den.g > 0.0 ? num.g / den.g : 1.0,
                          den.b > 0.0 ? num.b / den.b : 1.0);
 #endif
+    occlusion.a = den.a > 0.0 ? num.a / den.a : 1.0;
 }

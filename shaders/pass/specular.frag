@@ -23,6 +23,8 @@ uniform sampler2D latlongMap;
 uniform float pyramidSide;
 uniform float pyramidLastLevel;
 uniform int specularSamples;
+uniform vec2 sampleShift;    // of the points, in a still view
+uniform float sampleFrames;  // that will be averaged: each sample is as narrow as a share of theirs
 
 layout(location = 0) out vec4 specular;
 
@@ -34,10 +36,15 @@ vec3 mirror(vec3 d)
     return textureLod(latlongMap, latlongFromDirection(d), 0.0).rgb;
 }
 
+vec2 samplePoint(int i)
+{
+    return fract(hammersley(uint(i), uint(specularSamples)) + sampleShift);
+}
+
 // Radiance about d, averaged over the solid angle that one of the samples of density pdf stands for.
 vec3 filtered(vec3 d, float pdf)
 {
-    float lod = 0.5 * log2(pyramidSide * pyramidSide / (4.0 * PI * float(specularSamples) * max(pdf, 1e-6)));
+    float lod = 0.5 * log2(pyramidSide * pyramidSide / (4.0 * PI * float(specularSamples) * sampleFrames * max(pdf, 1e-6)));
     return pyramidLookup(pyramidMap, pyramidSide, pyramidLastLevel, d, lod);
 }
 
@@ -53,7 +60,7 @@ vec3 cookTorrance(vec3 v, mat3 mapFromLocal, vec3 f0, float roughness)
     vec3 num = vec3(0.0);
     float den = 0.0;
     for (int i = 0; i < specularSamples; ++i) {
-        vec3 h = ggxVisibleNormalSample(v, alpha, hammersley(uint(i), uint(specularSamples)));
+        vec3 h = ggxVisibleNormalSample(v, alpha, samplePoint(i));
         float c = dot(v, h);
         vec3 l = 2.0 * c * h - v;
         if (l.z <= 0.0) continue;
@@ -82,7 +89,7 @@ vec3 phong(vec3 v, mat3 mapFromLocal, vec3 ks, float roughness)
     if (roughness * roughness < MIRROR_ALPHA) return ks * scale * v.z * mirror(mapFromLocal * r);
     vec3 sum = vec3(0.0);
     for (int i = 0; i < specularSamples; ++i) {
-        vec3 l = lobe * phongSample(n, hammersley(uint(i), uint(specularSamples)));
+        vec3 l = lobe * phongSample(n, samplePoint(i));
         if (l.z > 0.0) sum += l.z * filtered(mapFromLocal * l, phongPdf(r, l, n));
     }
     sum *= scale / float(specularSamples);

@@ -3,6 +3,8 @@
 // Geometry of the host's own drawables, for the G-buffer and for what is drawn forward.
 #pragma import_defines(NO_TEXTURE)
 
+uniform vec2 subpixel;  // shift of the picture in clip space over w
+
 out vec3 eyePosition;
 out vec3 eyeNormal;
 out vec4 vertexColor;
@@ -19,4 +21,5 @@ void main()
     textureCoordinate = vec2(0.0);
 #endif
     gl_Position = ftransform();
+    gl_Position.xy += subpixel * gl_Position.w;
 }

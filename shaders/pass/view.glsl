@@ -12,6 +12,7 @@
 #define VIEW_NORMAL 6
 #define VIEW_DEPTH 7
 #define VIEW_EMISSION 8
-#define VIEW_LIGHTS 9
+#define VIEW_BOUNCE 9
+#define VIEW_LIGHTS 10
 
 #endif

@@ -26,7 +26,7 @@ using osgEnvLight::Mask;
 using osgEnvLight::ReferenceOptions;
 using osgEnvLight::Settings;
 
-const char* const figureNames[NUM_FIGURES] = {"relMSE", "tRMSE", "1-SSIM", "D", "S", "O", "silhouette"};
+const char* const figureNames[NUM_FIGURES] = {"relMSE", "tRMSE", "1-SSIM", "D", "S", "O", "bounced", "silhouette"};
 
 namespace
 {
@@ -40,16 +40,17 @@ struct Estimate {
 };
 
 struct Truth {
+    Estimate full;  // with light from surface to surface
     Estimate beauty, diffuse, specular, occlusion;
     Picture normal;
     Picture depth;
     Picture blended;
 };
 
-ReferenceOptions referenceOptions()
+ReferenceOptions referenceOptions(ReferenceOptions::Paths paths)
 {
     ReferenceOptions o;
-    o.paths = ReferenceOptions::DIRECT;
+    o.paths = paths;
     o.estimator = ReferenceOptions::MIS;
     o.samples = 64;
     o.pass = 32;
@@ -66,8 +67,9 @@ ReferenceCache::Pictures trace(const osgEnvLight::TriangleScene& triangles, cons
     const osgEnvLight::Reference reference(rays, camera, environment);
     std::set<Layer> layers(std::begin(sampledLayers), std::end(sampledLayers));
     layers.insert(std::begin(exactLayers), std::end(exactLayers));
-    const osgEnvLight::ReferenceResult result = reference.render(referenceOptions(), layers);
-    ReferenceCache::Pictures pictures;
+    const osgEnvLight::ReferenceResult result = reference.render(referenceOptions(ReferenceOptions::DIRECT), layers);
+    const osgEnvLight::ReferenceResult full = reference.render(referenceOptions(ReferenceOptions::FULL), {Layer::BEAUTY});
+    ReferenceCache::Pictures pictures = {full.mean(Layer::BEAUTY), full.standardError(Layer::BEAUTY)};
     for (Layer layer : sampledLayers) {
         pictures.push_back(result.mean(layer));
         pictures.push_back(result.standardError(layer));
@@ -91,13 +93,14 @@ Truth truthOf(osgEnvLight::LitScene& lit, osgViewer::Viewer& viewer)
     hash.scene(triangles);
     hash.camera(camera.getViewMatrix(), camera.getProjectionMatrix(), width, height);
     hash.map(*radiance, map.getRotation(), map.getIntensity());
-    hash.options(referenceOptions());
+    hash.options(referenceOptions(ReferenceOptions::DIRECT));
+    hash.options(referenceOptions(ReferenceOptions::FULL));
 
     const ReferenceCache::Pictures p = ReferenceCache(cacheFolder).get(hash.get(), [&] {
         return trace(triangles, osgEnvLight::RayCamera(camera, lit.getBound()),
                      osgEnvLight::MapEnvironment(*radiance, map.getRotation(), map.getIntensity()));
     });
-    return {{p[0], p[1]}, {p[2], p[3]}, {p[4], p[5]}, {p[6], p[7]}, p[8], p[9], p[10]};
+    return {{p[0], p[1]}, {p[2], p[3]}, {p[4], p[5]}, {p[6], p[7]}, {p[8], p[9]}, p[10], p[11], p[12]};
 }
 
 void setCamera(const SuiteScene& scene, bool orthographic, SceneRenderer& renderer)
@@ -164,6 +167,7 @@ class Measurement
         : _lit(*scene.lit), _settings(*scene.lit->getSettings()), _renderer(width, height)
     {
         setCamera(scene, variation.orthographic, _renderer);
+        _settings.bounce = Settings::BOUNCE_OFF;
         for (const auto& [name, value] : variation.settings) {
             std::string error;
             if (!_settings.set(name, value, error)) throw std::runtime_error(error);
@@ -190,6 +194,7 @@ class Measurement
         r.figures[SILHOUETTE] = silhouette(r.picture, r.reference);
         for (Figure term : {DIFFUSE, SPECULAR, OCCLUSION}) std::tie(r.figures[term], r.noise[term]) = termError(term);
         runWithLess(r);
+        runWithBounce(r);
     }
 
   private:
@@ -204,6 +209,19 @@ class Measurement
     ErrorFigures errorOf(const Picture& picture, const Mask& mask) const
     {
         return osgEnvLight::compare(picture, _truth.beauty.mean, _truth.beauty.error, mask);
+    }
+
+    void runWithBounce(Result& r)
+    {
+        const auto compare = [&](const Picture& picture) {
+            return osgEnvLight::compare(picture, _truth.full.mean, _truth.full.error, r.inside);
+        };
+        r.withoutBounce = compare(r.picture).tRmse;
+        _settings.bounce = Settings::BOUNCE_MEAN;
+        const ErrorFigures e = compare(_renderer.render(&_lit));
+        _settings.bounce = Settings::BOUNCE_OFF;
+        r.figures[BOUNCED] = e.tRmse;
+        r.noise[BOUNCED] = noiseOf(e.tNoise, e.pixels);
     }
 
     double dissimilarity(const Picture& picture, double stops) const

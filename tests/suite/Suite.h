@@ -25,6 +25,7 @@ enum Figure {
     DIFFUSE,        // root mean square error of D over the mean of D, without edges and transparent surfaces
     SPECULAR,       // that of S, unoccluded, as a tone curve shows it; 0 where nothing is glossy
     OCCLUSION,      // root mean square error of O over the mean of D
+    BOUNCED,        // TONED with the bounce, beside full light transport
     SILHOUETTE,     // share of the pixels of which only one of the two pictures says that they show geometry
     NUM_FIGURES
 };
@@ -62,6 +63,7 @@ struct Result {
     Figures noise{};                // what the reference's noise can add in quadrature to an error: 3 standard deviations
     double dissimilarNoise = 0.0;   // 1 - mean SSIM of the reference and the reference with as much noise again
     double withoutOcclusion = 0.0;  // TONED without O
+    double withoutBounce = 0.0;     // BOUNCED without it
     double halfSamples = 0.0;       // SPECULAR with half the specularSamples
     double seconds = 0.0;
 };

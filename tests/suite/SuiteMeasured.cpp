@@ -21,7 +21,7 @@ std::string header()
 {
     std::string line = "row";
     for (const char* name : figureNames) line += std::string(",") + name;
-    return line + ",1-SSIM of the noise,tRMSE without O,S at half the samples";
+    return line + ",1-SSIM of the noise,tRMSE without O,bounced without,S at half the samples";
 }
 
 // Lines by the row's name.
@@ -43,7 +43,7 @@ std::string lineOf(const Row& row, const Result& r)
     out.precision(3);
     out << row.name();
     for (double figure : r.figures) out << "," << figure;
-    out << "," << r.dissimilarNoise << "," << r.withoutOcclusion << "," << r.halfSamples;
+    out << "," << r.dissimilarNoise << "," << r.withoutOcclusion << "," << r.withoutBounce << "," << r.halfSamples;
     return out.str();
 }
 

@@ -19,7 +19,7 @@ int main(int argc, char** argv)
             table = argv[i];
     }
     try {
-        double error = 0.0, withoutOcclusion = 0.0;
+        double error = 0.0, withoutOcclusion = 0.0, bounced = 0.0, withoutBounce = 0.0;
         int count = 0;
         for (const suite::Row& row : suite::rows()) {
             const suite::Result& r = suite::result(row);
@@ -27,12 +27,15 @@ int main(int argc, char** argv)
             ++count;
             error += r.figures[suite::TONED];
             withoutOcclusion += r.withoutOcclusion;
+            bounced += r.figures[suite::BOUNCED];
+            withoutBounce += r.withoutBounce;
             if (r.seconds > 5.0) std::cout << row.name() << " took " << r.seconds << " s\n";
         }
         suite::writeContactSheet(folder + "/image-suite.png");
         suite::writeMeasured(table.empty() ? folder + "/image-suite.csv" : table);
         std::cout << count << " of " << suite::rows().size() << " pictures; tone-mapped RMSE " << error / count
-                  << ", without occlusion " << withoutOcclusion / count << "\n";
+                  << ", without occlusion " << withoutOcclusion / count << "; beside full light transport "
+                  << bounced / count << ", without the bounce " << withoutBounce / count << "\n";
     } catch (const std::exception& error) {
         std::cerr << "envlight_image_suite: " << error.what() << "\n";
         return 1;

@@ -1,0 +1,108 @@
+#version 330 compatibility
+// SPDX-License-Identifier: MIT
+// One frame of a still view: 16 fresh lights of the map, each with a shadow map of its own, shade the whole BRDF of every pixel
+// [occlusion.md 5.1]. Their average over the frames is direct light with the visibility of each direction.
+// D = num + V (U - den): U, the term D, is free of their noise, and V is how much of it to trust, a constant of the
+// view; whatever it is, the mean stays num. S - O_S likewise with V = 1: where nothing is in the way there is no noise.
+#pragma import_defines(HAS_DIFFUSE, HAS_SUNS, HAS_SPECULAR, HAS_OCCLUSION, HAS_BOUNCE, HAS_PHONG, HAS_COOK_TORRANCE, COMBINE_SUBTRACT, BACKGROUND, BACKGROUND_BLUR)
+
+#include "lib/frame.glsl"
+#include "lib/fresnel.glsl"
+#include "lib/ggx.glsl"
+#include "lib/phong.glsl"
+#include "pass/albedo.glsl"
+#include "pass/atlas.glsl"
+#include "pass/picture.glsl"
+
+uniform float frameWeight;
+
+layout(location = 0) out vec4 sum;      // radiance, coverage
+layout(location = 1) out float square;  // of the luminance
+
+// Below alphas of this range a look-up in the mirror direction stays what it is: too few lights would fall into the lobe.
+const vec2 MIRROR_FADE = vec2(0.04, 0.1);
+
+struct Lobe {
+    mat3 eyeFromLocal;
+    vec3 v;
+    vec3 f0;
+    vec3 energy;
+    float roughness;
+    float share;  // that the lights shade
+    int brdf;
+};
+
+Lobe lobeAt(ivec2 p, vec3 n)
+{
+    Lobe lobe;
+    lobe.brdf = pixelBrdf(p);
+    lobe.f0 = texelFetch(specularMap, p, 0).rgb;
+    lobe.roughness = texelFetch(normalMap, p, 0).a;
+    lobe.eyeFromLocal = frameAround(n);
+    lobe.v = transpose(lobe.eyeFromLocal) * -viewRay(inverseProjection, pixelNdc(p));
+    lobe.v.z = max(lobe.v.z, 1e-4);
+    lobe.v = normalize(lobe.v);
+    lobe.share = smoothstep(MIRROR_FADE.x, MIRROR_FADE.y, lobe.roughness * lobe.roughness);
+    lobe.energy = vec3(1.0);
+#ifdef HAS_COOK_TORRANCE
+    if (lobe.brdf == BRDF_COOK_TORRANCE) {
+        vec2 table = lobeAlbedo(lobe.roughness, lobe.v.z);
+        lobe.energy = multipleScattering(lobe.f0, table.x + table.y);
+    }
+#endif
+    return lobe;
+}
+
+vec3 glossy(Lobe lobe, vec3 direction)
+{
+    vec3 l = transpose(lobe.eyeFromLocal) * direction;
+#ifdef HAS_COOK_TORRANCE
+    if (lobe.brdf == BRDF_COOK_TORRANCE) {
+        vec3 f = fresnelSchlick(lobe.f0, dot(normalize(lobe.v + l), lobe.v));
+        return lobe.energy * f * ggxBrdf(lobe.v, l, lobe.roughness * lobe.roughness);
+    }
+#endif
+#ifdef HAS_PHONG
+    if (lobe.brdf == BRDF_PHONG)
+        return lobe.f0 * phongBrdf(vec3(-lobe.v.x, -lobe.v.y, lobe.v.z), l, phongExponent(lobe.roughness));
+#endif
+    return vec3(0.0);
+}
+
+vec3 surface(ivec2 p)
+{
+    vec3 n = pixelNormal(p);
+    vec3 point = vec3(atlasFromEye * vec4(pixelEye(p), 1.0));
+    vec3 normal = mat3(atlasFromEye) * n;
+    Lobe lobe = lobeAt(p, n);
+    bool isGlossy = lobe.brdf != BRDF_LAMBERT && lobe.share > 0.0;
+    vec3 num = vec3(0.0);
+    vec3 den = vec3(0.0);
+    vec3 kept = vec3(0.0);  // from the lobe
+    for (int group = 0; group < 16; ++group) {
+        AtlasLight light = atlasLight(group, 0);
+        vec3 direction = transpose(mat3(atlasFromEye)) * light.direction;
+        float c = dot(n, direction);
+        if (c <= 0.0) continue;
+        vec3 e = light.flux * c;
+        den += e;
+        if (atlasSees(light, point, normal, c) > 0.5)
+            num += e;
+        else if (isGlossy)
+            kept += e * glossy(lobe, direction);
+    }
+    vec3 rho = texelFetch(albedoMap, p, 0).rgb * texelFetch(diffuseTermMap, p, 0).a * (INV_PI * radianceScale);
+    vec3 diffuse = rho * num + ambientVisibility(p) * (diffuseTerm(p) + sunDiffuse(p) - rho * den);
+    vec3 specular = specularTerm(p) - lobe.share * kept * radianceScale;
+    return texelFetch(emissionMap, p, 0).rgb + diffuse + specular + bounce(p);
+}
+
+void main()
+{
+    ivec2 p = ivec2(gl_FragCoord.xy);
+    vec4 radiance = isBackground(p) ? pictureRadiance(p, mapFromEye * viewRay(inverseProjection, pixelNdc(p)))
+                                    : vec4(surface(p), 1.0);
+    float luminance = dot(radiance.rgb, vec3(0.2126, 0.7152, 0.0722));
+    sum = frameWeight * radiance;
+    square = frameWeight * luminance * luminance;
+}

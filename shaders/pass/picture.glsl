@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// L = L_e + S + D - O [seed 000, eq. 3] and the bounce, from what the passes left, and the map behind the scene.
+#ifndef PICTURE_GLSL
+#define PICTURE_GLSL
+
+#include "lib/constants.glsl"
+#include "lib/latlong.glsl"
+#include "lib/octahedral.glsl"
+#include "pass/gbuffer.glsl"
+#include "pass/terms.glsl"
+
+uniform sampler2D emissionMap;
+uniform sampler2D specularTermMap;
+uniform sampler2D bounceMap;
+uniform sampler2D latlongMap;
+uniform sampler2D pyramidMap;
+uniform float pyramidSide;
+uniform float pyramidLastLevel;
+uniform float backgroundBlur;  // degrees
+
+vec3 background(vec3 d)
+{
+#ifdef BACKGROUND_BLUR
+    // The level whose texels are as wide as the blur
+    float lod = log2(max(radians(backgroundBlur), 1e-6) * pyramidSide / sqrt(4.0 * PI));
+    return pyramidLookup(pyramidMap, pyramidSide, pyramidLastLevel, d, lod) * radianceScale;
+#else
+    return textureLod(latlongMap, latlongFromDirection(d), 0.0).rgb * radianceScale;
+#endif
+}
+
+vec3 specularTerm(ivec2 p)
+{
+#ifdef HAS_SPECULAR
+    return texelFetch(specularTermMap, p, 0).rgb * radianceScale;
+#else
+    return vec3(0.0);
+#endif
+}
+
+// What other surfaces send here [indirect.md 0]: the mean radiance of what blocks light in the picture, from all directions
+// that are blocked. Surfaces count by how far they face each other, (1 - n.n')/2: a floor is lit by walls, not by itself.
+// What they send on in turn is a geometric series, at most of 20 terms' worth.
+vec3 bounce(ivec2 p)
+{
+#ifdef HAS_BOUNCE
+    vec3 n = pixelNormal(p);
+    vec4 all = texelFetch(bounceMap, ivec2(0), 0);
+    vec4 facing = all;
+    for (int k = 0; k < 3; ++k) facing -= n[k] * texelFetch(bounceMap, ivec2(k + 1, 0), 0);
+    vec3 mean = facing.rgb / max(facing.a, 1e-4 * all.a);
+    mean /= 1.0 - min(texelFetch(bounceMap, ivec2(4, 0), 0).rgb / max(all.a, 1e-30), 0.95);
+    vec3 rho = texelFetch(albedoMap, p, 0).rgb * texelFetch(diffuseTermMap, p, 0).a;
+    return rho * (1.0 - ambientVisibility(p)) * mean;
+#else
+    return vec3(0.0);
+#endif
+}
+
+vec3 surfaceRadiance(ivec2 p)
+{
+    return texelFetch(emissionMap, p, 0).rgb + specularTerm(p) + sunDiffuse(p) + occludedDiffuse(p) + bounce(p);
+}
+
+// Alpha: 1 where there is a surface. d: in the map's frame.
+vec4 pictureRadiance(ivec2 p, vec3 d)
+{
+    if (!isBackground(p)) return vec4(surfaceRadiance(p), 1.0);
+#ifdef BACKGROUND
+    return vec4(background(d), 0.0);
+#else
+    return vec4(0.0);
+#endif
+}
+
+#endif

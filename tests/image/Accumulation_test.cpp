@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+// Still views that converge, against closed forms and the ray-traced reference.
+#include <SceneRenderer.h>
+
+#include <metrics/Mask>
+#include <metrics/Metrics>
+#include <osg/Material>
+#include <osg/MatrixTransform>
+#include <osgEnvLight/Material>
+#include <reference/Reference>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using osgEnvLight::LitScene;
+using osgEnvLight::Settings;
+
+namespace
+{
+
+osg::ref_ptr<LitScene> stillScene(osg::Image* map)
+{
+    osg::ref_ptr<LitScene> lit = makeLit(map);
+    Settings& s = *lit->getSettings();
+    s.regeneration = Settings::IMMEDIATE;
+    s.accumulate = true;
+    s.bounce = Settings::BOUNCE_OFF;
+    s.atlasLights = 64;  // of the first frame, which these tests are not about
+    s.accumulateSize = 512;
+    return lit;
+}
+
+// Bright from one side, so that visibility has a shape.
+osg::ref_ptr<osg::Image> lopsidedMap()
+{
+    return makeMap(64, 32, [](const osg::Vec3d& d) {
+        const double lobe = std::pow(std::max(d * osg::Vec3d(0.6, -0.64, 0.48), 0.0), 12.0);
+        return osg::Vec3d(0.3, 0.4, 0.5) + osg::Vec3d(6.0, 5.0, 4.0) * lobe;
+    });
+}
+
+void addPost(LitScene& lit)
+{
+    lit.addChild(makeQuad(osg::Vec3d(-2, -2, 0), osg::Vec3d(4, 0, 0), osg::Vec3d(0, 4, 0)));
+    lit.addChild(makeBox(osg::Vec3d(-0.3, -0.3, 0), osg::Vec3d(0.3, 0.3, 1.2)));
+}
+
+void lookAtPost(SceneRenderer& renderer)
+{
+    renderer.lookAt(osg::Vec3d(2, -5, 4), osg::Vec3d(0, 0, 0.3));
+}
+
+// Of the picture beside exact direct light, without edges: the means over each pixel's square differ there by what the
+// rasteriser's pixels are.
+double errorOf(const Picture& picture, LitScene& lit, SceneRenderer& renderer)
+{
+    osg::Camera& camera = *renderer.viewer().getCamera();
+    std::string error;
+    const osg::ref_ptr<const osgEnvLight::RadianceMap> map = lit.getEnvironmentMap()->radiance(error);
+    const osgEnvLight::TriangleScene triangles = osgEnvLight::flattenScene(lit, camera, renderer.viewer().getFrameStamp());
+    const osgEnvLight::RayScene rays(triangles);
+    const osgEnvLight::RayCamera eye(camera, lit.getBound());
+    const osgEnvLight::MapEnvironment environment(*map, 0.0, 1.0);
+    osgEnvLight::ReferenceOptions options;
+    options.estimator = osgEnvLight::ReferenceOptions::MIS;
+    options.samples = 256;
+    options.antialias = true;
+    const auto result = osgEnvLight::Reference(rays, eye, environment)
+                            .render(options, {osgEnvLight::Layer::BEAUTY, osgEnvLight::Layer::NORMAL, osgEnvLight::Layer::DEPTH});
+    const Picture truth = result.mean(osgEnvLight::Layer::BEAUTY);
+    Picture surface = result.mean(osgEnvLight::Layer::NORMAL);
+    for (size_t i = 0; i < surface.pixels(); ++i) surface.rgba[4 * i + 3] = truth.rgba[4 * i + 3];
+    const osgEnvLight::Mask inside =
+        osgEnvLight::withoutEdges(osgEnvLight::Mask::geometry(truth) & osgEnvLight::Mask::geometry(picture), surface,
+                                  result.mean(osgEnvLight::Layer::DEPTH));
+    const osgEnvLight::ErrorFigures e =
+        osgEnvLight::compare(picture, truth, result.standardError(osgEnvLight::Layer::BEAUTY), inside);
+    return e.rmse / e.mean;
+}
+
+}  // namespace
+
+// The floor beside an upright wall, from 32 frames = 512 lights [occlusion.md 7]: 1 %.
+TEST(Accumulation, WallWithinOnePercentAfter512Lights)
+{
+    SceneRenderer renderer(192, 192);
+    osg::ref_ptr<LitScene> lit = stillScene(constantMap(1.0).get());
+    lit->getSettings()->accumulateSize = 1024;
+    lit->addChild(makeQuad(osg::Vec3d(-8, -4, 0), osg::Vec3d(16, 0, 0), osg::Vec3d(0, 8, 0)));
+    lit->addChild(makeBox(osg::Vec3d(-8, 0, 0), osg::Vec3d(8, 2, 1)));
+    for (unsigned i = 0; i < 2; ++i)
+        osgEnvLight::Material::setLambert(*lit->getChild(i)->getOrCreateStateSet(), osg::Vec3f(1, 1, 1));
+    renderer.lookAt(osg::Vec3d(0, -9, 9), osg::Vec3d(0, 0, 0), osg::Vec3d(0, 0, 1), 30.0);
+    Picture p(192, 192);
+    while (lit->average().frames < 32) p = renderer.render(lit);
+    const osg::Camera& camera = *renderer.viewer().getCamera();
+    for (double a : {0.1, 0.5, 1.0}) {
+        const osg::Vec3d window = osg::Vec3d(0, -a, 0) * camera.getViewMatrix() * camera.getProjectionMatrix() *
+                                  osg::Matrixd::translate(1, 1, 1) * osg::Matrixd::scale(96, 96, 0.5);
+        // Between the rows of pixels about the point, over which the light hardly bends.
+        const double y = window.y() - 0.5;
+        const int row = int(std::floor(y));
+        double light = 0.0;
+        for (int x = 92; x < 100; ++x)
+            light += ((1.0 - y + row) * double(p.color(x, row)[1]) + (y - row) * double(p.color(x, row + 1)[1])) / 8.0;
+        const double d = std::sqrt(a * a + 1.0);
+        const double expected = 1.0 - (std::atan(8.0 / a) - a / d * std::atan(8.0 / d)) / osg::PI;
+        EXPECT_NEAR(light / expected, 1.0, 0.01) << "distance " << a;
+    }
+}
+
+// Lambert and a rough Cook-Torrance metal under a lopsided map. The error falls with the frames and ends, after 128 of them, at
+// what texels of 512 leave at contacts and the carrier of D allows.
+TEST(Accumulation, ConvergesToExactDirectLight)
+{
+    SceneRenderer renderer(96, 72);
+    osg::ref_ptr<LitScene> lit = stillScene(lopsidedMap().get());
+    addPost(*lit);
+    osg::ref_ptr<osg::Geode> metal = makeBox(osg::Vec3d(0.7, -0.9, 0), osg::Vec3d(1.3, -0.3, 0.5));
+    osgEnvLight::Material::setCookTorrance(*metal->getOrCreateStateSet(), osg::Vec3f(0.9f, 0.7f, 0.4f), 1.0f, 0.5f);
+    lit->addChild(metal);
+    lookAtPost(renderer);
+    double errors[3] = {};
+    const int frames[] = {1, 33, 129};
+    for (int i = 0, drawn = 0; i < 3; drawn = frames[i++]) {
+        const Picture p = renderer.render(lit, frames[i] - drawn);
+        errors[i] = errorOf(p, *lit, renderer);
+    }
+    // Measured: .047, .0064, .0031.
+    EXPECT_LT(errors[1], errors[0]);
+    EXPECT_LT(errors[2], errors[1]);
+    EXPECT_LT(errors[1], 0.01);
+    EXPECT_LT(errors[2], 0.005);
+}
+
+TEST(Accumulation, TheFirstFrameIsTheNormalOneAndMotionReturnsToIt)
+{
+    SceneRenderer renderer(64, 64);
+    osg::ref_ptr<LitScene> lit = stillScene(lopsidedMap().get());
+    addPost(*lit);
+    lit->getSettings()->accumulate = false;
+    lookAtPost(renderer);
+    const Picture normal = renderer.render(lit);
+    renderer.lookAt(osg::Vec3d(3, -4, 4), osg::Vec3d(0, 0, 0.3));
+    const Picture moved = renderer.render(lit);
+    lit->getSettings()->accumulate = true;
+    lookAtPost(renderer);
+    EXPECT_EQ(0.0, largestDifference(normal, renderer.render(lit)));
+    const Picture averaged = renderer.render(lit, 12);
+    EXPECT_GT(largestDifference(normal, averaged), 0.0);
+    EXPECT_GE(lit->average().frames, 11u);
+    renderer.lookAt(osg::Vec3d(3, -4, 4), osg::Vec3d(0, 0, 0.3));
+    EXPECT_EQ(0.0, largestDifference(moved, renderer.render(lit)));
+    EXPECT_EQ(0u, lit->average().frames);
+}
+
+TEST(Accumulation, WhateverChangesBeginsAnew)
+{
+    SceneRenderer renderer(48, 48);
+    osg::ref_ptr<LitScene> lit = stillScene(lopsidedMap().get());
+    addPost(*lit);
+    const osg::ref_ptr<osg::MatrixTransform> mover = new osg::MatrixTransform;
+    const osg::ref_ptr<osg::Material> paint = new osg::Material;
+    mover->addChild(makeBox(osg::Vec3d(1, 1, 0), osg::Vec3d(1.3, 1.3, 0.4)));
+    mover->getOrCreateStateSet()->setAttributeAndModes(paint);
+    lit->addChild(mover);
+    lookAtPost(renderer);
+    const auto framesAfter = [&](const char* what, auto change) {
+        renderer.render(lit, 4);
+        EXPECT_GT(lit->average().frames, 0u) << what;
+        change();
+        renderer.render(lit);
+        EXPECT_EQ(0u, lit->average().frames) << what;
+    };
+    framesAfter("a caster moves", [&] { mover->setMatrix(osg::Matrixd::translate(-0.2, 0, 0)); });
+    framesAfter("its colour", [&] { paint->setDiffuse(osg::Material::FRONT_AND_BACK, osg::Vec4(1, 0, 0, 1)); });
+    framesAfter("the map turns", [&] { lit->getEnvironmentMap()->setRotation(20.0); });
+    framesAfter("the intensity", [&] { lit->getEnvironmentMap()->setIntensity(2.0); });
+    framesAfter("a setting", [&] { lit->getSettings()->exposure = 1.0f; });
+    framesAfter("the scene", [&] { lit->removeChild(mover); });
+    framesAfter("its GPU objects are gone", [&] { lit->releaseGLObjects(&renderer.state()); });
+}
+
+TEST(Accumulation, RestsWhenItHasAllFrames)
+{
+    SceneRenderer renderer(48, 48);
+    osg::ref_ptr<LitScene> lit = stillScene(lopsidedMap().get());
+    lit->getSettings()->accumulateFrames = 5;
+    addPost(*lit);
+    lookAtPost(renderer);
+    const Picture last = renderer.render(lit, 8);
+    EXPECT_EQ(0.0, largestDifference(last, renderer.render(lit, 3)));
+    EXPECT_EQ(5u, lit->average().frames);
+}
+
+// Estimated from the spread of the frames; the lights of the frames are spread better than by chance, so it may say more.
+TEST(Accumulation, TheStandardErrorFallsAndIsNoLessThanTheError)
+{
+    SceneRenderer renderer(64, 64);
+    osg::ref_ptr<LitScene> lit = stillScene(lopsidedMap().get());
+    addPost(*lit);
+    lookAtPost(renderer);
+    EXPECT_LT(lit->average().standardError, 0.0);
+    renderer.render(lit, 17);
+    const double early = lit->average().standardError;
+    renderer.render(lit, 48);
+    const double late = lit->average().standardError;
+    EXPECT_GT(early, 0.0);
+    EXPECT_GT(late, 0.0);
+    EXPECT_NEAR(late / early, 0.5, 0.2);  // a quarter of the variance
+}
+
+TEST(Accumulation, WithoutItNothingIsKept)
+{
+    SceneRenderer renderer(64, 64);
+    osg::ref_ptr<LitScene> lit = stillScene(lopsidedMap().get());
+    addPost(*lit);
+    lookAtPost(renderer);
+    lit->getSettings()->accumulate = false;
+    renderer.render(lit, 2);
+    const size_t without = lit->textureBytes();
+    lit->getSettings()->accumulate = true;
+    renderer.render(lit, 3);
+    EXPECT_GT(lit->textureBytes(), without);
+    lit->getSettings()->accumulate = false;
+    renderer.render(lit, 2);
+    EXPECT_EQ(without, lit->textureBytes());
+}
