@@ -16,13 +16,26 @@ const double evenly = 1.0 / (4.0 * pi);
 
 }  // namespace
 
+void Environment::fromEach(const std::vector<glm::dvec3>& directions, bool withDensity, std::vector<Incident>& result) const
+{
+    result.clear();
+    for (const glm::dvec3& d : directions) result.push_back(from(d, withDensity));
+}
+
+void Environment::sampleEach(const std::vector<glm::dvec2>& u, std::vector<Incident>& result) const
+{
+    result.clear();
+    for (const glm::dvec2& v : u) result.push_back(sample(v));
+}
+
 MapEnvironment::MapEnvironment(const RadianceMap& map, double rotation, double intensity)
     : _map(&map),
       _cos(std::cos(osg::DegreesToRadians(rotation))),
       _sin(std::sin(osg::DegreesToRadians(rotation))),
       _intensity(intensity),
       _width(map.width),
-      _height(map.height)
+      _height(map.height),
+      _texels(reinterpret_cast<const glm::vec3*>(map.image->data()))
 {
     makeTables();
 }
@@ -32,22 +45,27 @@ glm::dvec3 MapEnvironment::turned(const glm::dvec3& d, double sine) const
     return {_cos * d.x - sine * d.y, sine * d.x + _cos * d.y, d.z};
 }
 
-glm::dvec3 MapEnvironment::texel(int x, int y) const
+// From the top, +Z; beyond it the outermost.
+const glm::vec3* MapEnvironment::row(int y) const
 {
-    if (x < 0) x += _width;
-    if (x >= _width) x -= _width;
-    const float* t = _map->texel(x, std::clamp(y, 0, _height - 1));
-    return glm::dvec3(double(t[0]), double(t[1]), double(t[2]));
+    return _texels + size_t(_height - 1 - std::clamp(y, 0, _height - 1)) * size_t(_width);
 }
 
-glm::dvec3 MapEnvironment::bilinear(double column, double row) const
+// Column and row are not below -1: what is cut off is what floor() would, without a call.
+MapEnvironment::Place MapEnvironment::place(double column, double row) const
 {
-    const int x = std::clamp(int(std::floor(column)), -1, _width - 1);
-    const int y = int(std::floor(row));
-    const double fx = column - x;
-    const double fy = row - y;
-    return _intensity * ((1.0 - fy) * ((1.0 - fx) * texel(x, y) + fx * texel(x + 1, y)) +
-                         fy * ((1.0 - fx) * texel(x, y + 1) + fx * texel(x + 1, y + 1)));
+    const int left = std::min(int(column + 1.0) - 1, _width - 1);
+    const int top = int(row + 1.0) - 1;
+    const int x0 = left < 0 ? left + _width : left;
+    const int x1 = left + 1 < _width ? left + 1 : 0;
+    const glm::vec3 *upper = this->row(top), *lower = this->row(top + 1);
+    return {{upper + x0, upper + x1, lower + x0, lower + x1}, float(column - left), float(row - top)};
+}
+
+glm::dvec3 MapEnvironment::bilinear(const Place& p) const
+{
+    return _intensity * glm::dvec3((1.0f - p.y) * ((1.0f - p.x) * *p.texels[0] + p.x * *p.texels[1]) +
+                                   p.y * ((1.0f - p.x) * *p.texels[2] + p.x * *p.texels[3]));
 }
 
 void MapEnvironment::makeTables()
@@ -63,7 +81,7 @@ void MapEnvironment::makeTables()
         for (int x = 0; x < _width; ++x) {
             for (int j = 0; j < 3; ++j)
                 for (int i = 0; i < 3; ++i) {
-                    const glm::dvec3 c = texel(x + i - 1, y + j - 1);
+                    const glm::dvec3 c = row(y + j - 1)[(x + i - 1 + _width) % _width];
                     columns += weights[i] * weights[j] * (c.r + c.g + c.b) * _solidAngle[size_t(y)];
                 }
             _columnSums.push_back(columns);
@@ -84,19 +102,20 @@ double MapEnvironment::texelDensity(int x, int y) const
 }
 
 // In the architecture's words: top row +Z, the centre along +X, columns clockwise seen from above.
-Incident MapEnvironment::from(const glm::dvec3& direction, bool withDensity) const
+Incident MapEnvironment::locate(const glm::dvec3& direction, bool withDensity, Place& place) const
 {
     const glm::dvec3 d = turned(direction, -_sin);
-    const double column = (0.5 - std::atan2(d.y, d.x) / (2.0 * pi)) * _width;
-    const double row = std::atan2(std::sqrt(d.x * d.x + d.y * d.y), d.z) / pi * _height;
-    Incident in{direction, bilinear(column - 0.5, row - 0.5)};
+    const double column = (0.5 - turnOf(d.y, d.x)) * _width;
+    const double row = 2.0 * turnOf(std::sqrt(d.x * d.x + d.y * d.y), d.z) * _height;
+    place = this->place(column - 0.5, row - 0.5);
+    Incident in{direction, glm::dvec3(0.0)};
     if (withDensity) in.density = texelDensity(std::clamp(int(column), 0, _width - 1), std::clamp(int(row), 0, _height - 1));
     return in;
 }
 
-Incident MapEnvironment::sample(const glm::dvec2& u) const
+Incident MapEnvironment::aim(const glm::dvec2& u, Place& place) const
 {
-    if (_rowSums.empty()) return {aboutPole(1.0 - 2.0 * u.x, u.y), glm::dvec3(0.0), evenly};
+    if (_rowSums.empty()) return locate(aboutPole(1.0 - 2.0 * u.x, u.y), true, place);
     // The random numbers are used up digit by digit: what is left of one places the point within its row or texel.
     const double r = u.y * _rowSums.back();
     const auto row = std::min(std::upper_bound(_rowSums.begin(), _rowSums.end(), r), _rowSums.end() - 1);
@@ -113,10 +132,52 @@ Incident MapEnvironment::sample(const glm::dvec2& u) const
     const double step = pi / _height;
     const double top = std::cos(y * step);
     const double z = top + v * (std::cos((y + 1) * step) - top);  // evenly in solid angle
-    const double phi = 2.0 * pi * (0.5 - (x + w) / _width);
     const double s = std::sqrt(std::max(0.0, 1.0 - z * z));
-    return {turned({s * std::cos(phi), s * std::sin(phi), z}, _sin), bilinear(x + w - 0.5, std::atan2(s, z) / pi * _height - 0.5),
-            texelDensity(x, y)};
+    place = this->place(x + w - 0.5, 2.0 * turnOf(s, z) * _height - 0.5);
+    return {turned(aboutPole(z, 0.5 - (x + w) / _width), _sin), glm::dvec3(0.0), texelDensity(x, y)};
+}
+
+Incident MapEnvironment::from(const glm::dvec3& direction, bool withDensity) const
+{
+    Place place;
+    Incident in = locate(direction, withDensity, place);
+    in.radiance = bilinear(place);
+    return in;
+}
+
+Incident MapEnvironment::sample(const glm::dvec2& u) const
+{
+    Place place;
+    Incident in = aim(u, place);
+    in.radiance = bilinear(place);
+    return in;
+}
+
+// The texels are anywhere in the map: they are asked for together and waited for once.
+template <class From>
+void MapEnvironment::each(size_t count, std::vector<Incident>& result, const From& from) const
+{
+    result.resize(count);
+    Place places[16];
+    for (size_t first = 0; first < count; first += 16) {
+        const size_t n = std::min<size_t>(16, count - first);
+        for (size_t i = 0; i < n; ++i) {
+            result[first + i] = from(first + i, places[i]);
+            __builtin_prefetch(places[i].texels[0]);
+            __builtin_prefetch(places[i].texels[2]);
+        }
+        for (size_t i = 0; i < n; ++i) result[first + i].radiance = bilinear(places[i]);
+    }
+}
+
+void MapEnvironment::fromEach(const std::vector<glm::dvec3>& directions, bool withDensity, std::vector<Incident>& result) const
+{
+    each(directions.size(), result, [&](size_t i, Place& place) { return locate(directions[i], withDensity, place); });
+}
+
+void MapEnvironment::sampleEach(const std::vector<glm::dvec2>& u, std::vector<Incident>& result) const
+{
+    each(u.size(), result, [&](size_t i, Place& place) { return aim(u[i], place); });
 }
 
 SunEnvironment::SunEnvironment(const DominantLights& suns, double rotation, double intensity)
