@@ -57,19 +57,25 @@ glm::dvec3 shadingNormal(const SurfaceHit& hit)
 }  // namespace
 
 Reflection::Reflection(const SurfaceHit& hit, const Ray& ray, const glm::dvec4& color)
-    : _normal(shadingNormal(hit)), _frame(frameAbout(_normal)), _view(local(-ray.direction))
+    : _normal(shadingNormal(hit)), _frame(frameAbout(_normal))
 {
     const SurfaceMaterial& m = hit.mesh->material;
-    _view.z = std::max(_view.z, 1e-4);  // as in specular.frag: interpolated normals may lean away from the eye
-    _view = glm::normalize(_view);
-    _reflected = _frame * glm::dvec3(-_view.x, -_view.y, _view.z);
     const glm::dvec3 base(color);
     _emission = m.unlit ? base : m.emission;
     if (m.unlit) return;
     _albedo = base;
+    if (m.brdf != Material::LAMBERT) setView(ray.direction);
     if (m.brdf == Material::COOK_TORRANCE) setCookTorrance(m, base);
     if (m.brdf == Material::PHONG) setPhong(m);
     if (m.brdf != Material::COOK_TORRANCE) _diffuse = _albedo / pi;
+}
+
+void Reflection::setView(const glm::dvec3& direction)
+{
+    _view = local(-direction);
+    _view.z = std::max(_view.z, 1e-4);  // as in specular.frag: interpolated normals may lean away from the eye
+    _view = glm::normalize(_view);
+    _reflected = _frame * glm::dvec3(-_view.x, -_view.y, _view.z);
 }
 
 void Reflection::setCookTorrance(const SurfaceMaterial& m, const glm::dvec3& base)
@@ -107,8 +113,9 @@ void Reflection::setPhong(const SurfaceMaterial& m)
 
 glm::dvec3 Reflection::glossy(const glm::dvec3& l) const
 {
+    if (!_lobe) return glm::dvec3(0.0);
     const glm::dvec3 toLight = local(l);
-    if (!_lobe || toLight.z <= 0.0) return glm::dvec3(0.0);
+    if (toLight.z <= 0.0) return glm::dvec3(0.0);
     if (_phong) return _f0 * glsl::phongBrdf(_reflected, l, _exponent);
     const glm::dvec3 h = glm::normalize(_view + toLight);
     return _energy * glsl::fresnelSchlick(_f0, glm::dot(_view, h)) * glsl::ggxBrdf(_view, toLight, _alpha);

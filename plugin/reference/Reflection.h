@@ -42,14 +42,16 @@ class Reflection
     double lobeDensity(const glm::dvec3& l) const;
 
   private:
+    void setView(const glm::dvec3& direction);
     void setCookTorrance(const SurfaceMaterial& m, const glm::dvec3& base);
     void setPhong(const SurfaceMaterial& m);
     glm::dvec3 local(const glm::dvec3& l) const { return l * _frame; }
 
     glm::dvec3 _normal;
     glm::dmat3 _frame;  // about the normal
-    glm::dvec3 _view;   // towards the ray's origin, in the frame
-    glm::dvec3 _reflected;
+    // Towards the ray's origin, in the frame, and its mirror image in the world: for lobes only.
+    glm::dvec3 _view{0, 0, 1};
+    glm::dvec3 _reflected{0, 0, 1};
     glm::dvec3 _albedo{0, 0, 0};
     glm::dvec3 _diffuse{0, 0, 0};
     glm::dvec3 _emission{0, 0, 0};
