@@ -35,9 +35,9 @@ class RandomPoints
 
     glm::dvec2 square()
     {
-        const std::uint64_t key = mixBits(_seed ^ mixBits(++_dimension));
+        const std::uint64_t key = mixBits(_seed + ++_dimension * 0xd1342543de82ef95u);
         if (!_scrambled) {
-            const std::uint64_t x = mixBits(key ^ mixBits(_index));
+            const std::uint64_t x = mixBits(key + _index * 0xaf251af3b0f025b5u);
             return {unitInterval(x), unitInterval(mixBits(x))};
         }
         const std::uint32_t i = scramble(reversed(_index), std::uint32_t(key));
