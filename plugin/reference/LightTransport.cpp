@@ -53,85 +53,116 @@ double LightTransport::density(const Reflection& surface, const Incident& in) co
     return sum;
 }
 
-void LightTransport::add(const Reflection& surface, const Incident& in, Arrivals& arrivals) const
+void LightTransport::Arrivals::clear()
 {
+    rays.clear();
+    lights.clear();
+    below = Light();
+}
+
+void LightTransport::add(const SurfaceHit& hit, const glm::dvec3& direction, const Arrivals::Light& light, Arrivals& arrivals)
+{
+    if (glm::dot(direction, hit.facet) > 0.0) {
+        arrivals.rays.push_back(RayScene::leave(hit, direction));
+        arrivals.lights.push_back(light);
+    } else {
+        arrivals.below.diffuse += light.diffuse;
+        arrivals.below.specular += light.specular;
+    }
+}
+
+void LightTransport::add(const Start& start, const Incident& in, double weight, Arrivals& arrivals) const
+{
+    const Reflection& surface = *start.surface;
     const double c = surface.cosine(in.direction);
     if (c <= 0.0 || isBlack(in.radiance)) return;
     const double p = density(surface, in);
     if (!(p > 0.0)) return;
-    const glm::dvec3 light = in.radiance * (c / p);
-    const Arrival a{in.direction, _lights ? glm::dvec3(0.0) : light * surface.diffuse(), light * surface.glossy(in.direction)};
-    if (!isBlack(a.diffuse) || !isBlack(a.specular)) arrivals.push_back(a);
+    const glm::dvec3 light = in.radiance * (weight * c / p);
+    const Arrivals::Light a{_lights ? glm::dvec3(0.0) : light * surface.diffuse(), light * surface.glossy(in.direction)};
+    if (!isBlack(a.diffuse) || !isBlack(a.specular)) add(*start.hit, in.direction, a, arrivals);
 }
 
-void LightTransport::addFrom(const Reflection& surface, const glm::dvec3& l, Arrivals& arrivals) const
+void LightTransport::sampleDirect(const std::vector<Start>& starts, double weight, Arrivals& arrivals) const
 {
-    if (surface.cosine(l) > 0.0) add(surface, _environment.from(l, _options.estimator == ReferenceOptions::MIS), arrivals);
-}
-
-void LightTransport::sampleDirect(const Reflection& surface, RandomPoints& random, Arrivals& arrivals) const
-{
-    if (surface.isMirror()) {
-        const glm::dvec3& l = surface.mirrorDirection();
-        arrivals.push_back({l, glm::dvec3(0.0), surface.mirrorWeight() * _environment.from(l).radiance});
+    // Kept from call to call: allocations would cost more than the rays. Step by step for all samples, so that the arithmetic of
+    // one need not wait for that of another.
+    thread_local std::vector<const Start*> takers, aimed;
+    thread_local std::vector<glm::dvec2> squares;
+    thread_local std::vector<glm::dvec3> directions;
+    thread_local std::vector<Incident> incidents;
+    takers.clear();
+    aimed.clear();
+    squares.clear();
+    directions.clear();
+    const bool mis = _options.estimator == ReferenceOptions::MIS;
+    const auto aim = [&](const Start& start, const glm::dvec3& l) {
+        if (start.surface->cosine(l) <= 0.0) return;
+        aimed.push_back(&start);
+        directions.push_back(l);
+    };
+    for (const Start& start : starts) {
+        const Reflection& surface = *start.surface;
+        if (surface.isMirror()) {
+            const glm::dvec3& l = surface.mirrorDirection();
+            add(*start.hit, l, {glm::dvec3(0.0), weight * surface.mirrorWeight() * _environment.from(l).radiance}, arrivals);
+        }
+        const bool diffuse = surface.hasDiffuse() && !_lights;
+        if (!diffuse && !surface.hasLobe()) continue;
+        const glm::dvec2 u = start.random->square();
+        if (mis) {
+            takers.push_back(&start);
+            squares.push_back(u);
+            if (surface.hasDiffuse()) aim(start, surface.sampleCosine(start.random->square()));
+            if (surface.hasLobe()) aim(start, surface.sampleLobe(start.random->square()));
+        } else {
+            aim(start, _options.estimator == ReferenceOptions::UNIFORM ? surface.sampleHemisphere(u) : surface.sampleCosine(u));
+        }
     }
-    const bool diffuse = surface.hasDiffuse() && !_lights;
-    if (!diffuse && !surface.hasLobe()) return;
-    if (_options.estimator == ReferenceOptions::UNIFORM)
-        return addFrom(surface, surface.sampleHemisphere(random.square()), arrivals);
-    if (_options.estimator == ReferenceOptions::COSINE) return addFrom(surface, surface.sampleCosine(random.square()), arrivals);
-    add(surface, _environment.sample(random.square()), arrivals);
-    if (surface.hasDiffuse()) addFrom(surface, surface.sampleCosine(random.square()), arrivals);
-    if (surface.hasLobe()) addFrom(surface, surface.sampleLobe(random.square()), arrivals);
+    _environment.fromEach(directions, mis, incidents);
+    for (size_t i = 0; i < aimed.size(); ++i) add(*aimed[i], incidents[i], weight, arrivals);
+    if (!mis) return;
+    _environment.sampleEach(squares, incidents);
+    for (size_t i = 0; i < takers.size(); ++i) add(*takers[i], incidents[i], weight, arrivals);
 }
 
-void LightTransport::addLights(const Reflection& surface, Arrivals& arrivals) const
+void LightTransport::addLights(const SurfaceHit& hit, const Reflection& surface, double weight, Arrivals& arrivals) const
 {
     for (const DirectionalLight& light : *_lights) {
         const glm::dvec3 l(light.direction.x(), light.direction.y(), light.direction.z());
         const glm::dvec3 flux(light.flux.x(), light.flux.y(), light.flux.z());
-        const glm::dvec3 d = flux * surface.diffuse() * surface.cosine(l);
-        if (!isBlack(d)) arrivals.push_back({l, d, glm::dvec3(0.0)});
+        const glm::dvec3 d = flux * surface.diffuse() * (weight * surface.cosine(l));
+        if (!isBlack(d)) add(hit, l, {d, glm::dvec3(0.0)}, arrivals);
     }
 }
 
-DirectLight LightTransport::resolve(const SurfaceHit& hit, const Arrivals& arrivals) const
+DirectLight LightTransport::resolve(const Arrivals& arrivals) const
 {
     DirectLight result;
-    // Kept from call to call: allocations would cost more than the rays.
-    thread_local std::vector<Ray> rays;
-    thread_local std::vector<const Arrival*> traced;
-    thread_local std::vector<float> through;
-    rays.clear();
-    traced.clear();
-    for (const Arrival& a : arrivals) {
+    result.diffuse = arrivals.below.diffuse;
+    result.specular = arrivals.below.specular;
+    for (const Arrivals::Light& a : arrivals.lights) {
         result.diffuse += a.diffuse;
         result.specular += a.specular;
-        if (_options.paths == ReferenceOptions::UNOCCLUDED) continue;
-        // From below its own triangle nothing comes, whatever the interpolated normal says.
-        if (glm::dot(a.direction, hit.facet) <= 0.0) {
-            result.occlusion += a.diffuse;
-            continue;
-        }
-        rays.push_back(RayScene::leave(hit, a.direction));
-        traced.push_back(&a);
     }
     if (_options.paths == ReferenceOptions::UNOCCLUDED) {
         result.specularVisible = result.specular;
         return result;
     }
-    through.resize(rays.size());
-    _scene.transmittance(rays.data(), rays.size(), through.data());
-    raysOfThread += rays.size();
-    for (size_t i = 0; i < rays.size(); ++i) {
+    thread_local std::vector<float> through;
+    through.resize(arrivals.rays.size());
+    _scene.transmittance(arrivals.rays.data(), arrivals.rays.size(), through.data());
+    raysOfThread += arrivals.rays.size();
+    result.occlusion = arrivals.below.diffuse;
+    for (size_t i = 0; i < through.size(); ++i) {
         const double t = double(through[i]);
-        const glm::dvec3 kept = (1.0 - t) * traced[i]->diffuse;
+        const glm::dvec3 kept = (1.0 - t) * arrivals.lights[i].diffuse;
         result.occlusion += kept;
-        result.specularVisible += t * traced[i]->specular;
+        result.specularVisible += t * arrivals.lights[i].specular;
         if (!_classes || isBlack(kept)) continue;
         SurfaceHit blocker;
         ++raysOfThread;
-        if (!_scene.nearest(rays[i], RayScene::ANY, 0, blocker)) continue;
+        if (!_scene.nearest(arrivals.rays[i], RayScene::ANY, 0, blocker)) continue;
         const BlockerClasses::Class c = _classes->of(blocker);
         if (c == BlockerClasses::OUTSIDE) result.outside += kept;
         if (c == BlockerClasses::HIDDEN) result.hidden += kept;
@@ -172,14 +203,15 @@ bool LightTransport::continuePath(const Reflection& surface, RandomPoints& rando
     return true;
 }
 
-glm::dvec3 LightTransport::indirect(const SurfaceHit& hit, const Reflection& surface, std::uint64_t seed,
-                                    RandomPoints& random) const
+glm::dvec3 LightTransport::indirect(const Start& start, std::uint64_t seed) const
 {
     thread_local Arrivals arrivals;
+    thread_local std::vector<Start> next;
     glm::dvec3 sum(0.0);
     glm::dvec3 throughput(1.0);
-    SurfaceHit at = hit;
-    Reflection reflection = surface;
+    RandomPoints& random = *start.random;
+    SurfaceHit at = *start.hit;
+    Reflection reflection = *start.surface;
     for (int bounce = 1;; ++bounce) {
         glm::dvec3 direction, weight;
         if (!continuePath(reflection, random, direction, weight) || glm::dot(direction, at.facet) <= 0.0) return sum;
@@ -195,9 +227,10 @@ glm::dvec3 LightTransport::indirect(const SurfaceHit& hit, const Reflection& sur
         if (!_scene.nearest(ray, RayScene::ANY, mixBits(seed + std::uint64_t(bounce)), at)) return sum;
         reflection = Reflection(at, ray, surfaceColor(at));
         arrivals.clear();
-        sampleDirect(reflection, random, arrivals);
-        if (_lights) addLights(reflection, arrivals);
-        sum += throughput * (reflection.emission() + resolve(at, arrivals).visible());
+        next.assign(1, {&at, &reflection, &random});
+        sampleDirect(next, 1.0, arrivals);
+        if (_lights) addLights(at, reflection, 1.0, arrivals);
+        sum += throughput * (reflection.emission() + resolve(arrivals).visible());
     }
 }
 

@@ -48,30 +48,42 @@ class LightTransport
     {
     }
 
-    /** A direction, and what it brings: diffuse and specular radiance, before visibility. */
-    struct Arrival {
-        glm::dvec3 direction;
-        glm::dvec3 diffuse;
-        glm::dvec3 specular;
+    /** One sample of the light at a surface. */
+    struct Start {
+        const SurfaceHit* hit;
+        const Reflection* surface;
+        RandomPoints* random;
     };
-    using Arrivals = std::vector<Arrival>;
 
-    /** One sample of direct light, as arrivals whose sum is the estimate. */
-    void sampleDirect(const Reflection& surface, RandomPoints& random, Arrivals& arrivals) const;
+    /** Rays to where light comes from, and what it brings before visibility. */
+    struct Arrivals {
+        struct Light {
+            glm::dvec3 diffuse{0, 0, 0};
+            glm::dvec3 specular{0, 0, 0};
+        };
+        std::vector<Ray> rays;
+        std::vector<Light> lights;
+        Light below;  // from below the surface's own triangle: whatever the interpolated normal says, nothing comes from there
+
+        void clear();
+    };
+
+    /** Direct light, as arrivals whose sum is the estimate: the sum over all starts times the weight. */
+    void sampleDirect(const std::vector<Start>& starts, double weight, Arrivals& arrivals) const;
     /** All of the light list. */
-    void addLights(const Reflection& surface, Arrivals& arrivals) const;
+    void addLights(const SurfaceHit& hit, const Reflection& surface, double weight, Arrivals& arrivals) const;
     /** Their sum, with what the scene lets through. */
-    DirectLight resolve(const SurfaceHit& hit, const Arrivals& arrivals) const;
+    DirectLight resolve(const Arrivals& arrivals) const;
 
     /** What other surfaces send by one path from here on, to the eye. */
-    glm::dvec3 indirect(const SurfaceHit& hit, const Reflection& surface, std::uint64_t seed, RandomPoints& random) const;
+    glm::dvec3 indirect(const Start& start, std::uint64_t seed) const;
 
     /** Rays traced by this thread's transports since the last call. */
     static size_t takeRays();
 
   private:
-    void add(const Reflection& surface, const Incident& in, Arrivals& arrivals) const;
-    void addFrom(const Reflection& surface, const glm::dvec3& l, Arrivals& arrivals) const;
+    void add(const Start& start, const Incident& in, double weight, Arrivals& arrivals) const;
+    static void add(const SurfaceHit& hit, const glm::dvec3& direction, const Arrivals::Light& light, Arrivals& arrivals);
     double density(const Reflection& surface, const Incident& in) const;
     bool continuePath(const Reflection& surface, RandomPoints& random, glm::dvec3& direction, glm::dvec3& weight) const;
 

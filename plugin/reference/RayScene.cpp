@@ -17,12 +17,12 @@ namespace osgEnvLight
 namespace
 {
 
-const unsigned packetSize = 8;
+const unsigned packetSize = 16;  // Embree splits packets that are wider than what the processor does at once
 
 struct Context {
     RTCIntersectContext context;
     RayScene::Kind kind = RayScene::ANY;
-    std::uint64_t seed = 0;
+    const std::uint64_t* seeds = nullptr;  // by the rays' id, as what follows
     float transmittance[packetSize];
 
     explicit Context(RTCIntersectContextFlags flags)
@@ -33,20 +33,21 @@ struct Context {
     }
 };
 
-SurfaceHit barycentric(const TriangleMesh& mesh, unsigned primitive, double u, double v)
+// Only what places the hit in its mesh.
+void placeHit(const TriangleMesh& mesh, unsigned primitive, double u, double v, SurfaceHit& hit)
 {
-    SurfaceHit hit;
     hit.mesh = &mesh;
     hit.triangle = mesh.triangles[primitive];
     hit.u = u;
     hit.v = v;
-    return hit;
 }
 
 // How much of the light a point of the surface stops.
-double opacity(const SurfaceHit& hit)
+double opacity(const TriangleMesh& mesh, const RTCHit& h)
 {
-    const SurfaceMaterial& m = hit.mesh->material;
+    SurfaceHit hit;
+    placeHit(mesh, h.primID, double(h.u), double(h.v), hit);
+    const SurfaceMaterial& m = mesh.material;
     const double alpha = surfaceColor(hit).a;
     if (m.alphaTest && !m.alphaPasses(alpha)) return 0.0;
     return m.blended ? glm::clamp(alpha, 0.0, 1.0) : 1.0;
@@ -58,22 +59,25 @@ bool seenFrom(const SurfaceMaterial& m, bool counterClockwise)
     return m.sides == SurfaceMaterial::SHOW_BOTH || front == (m.sides == SurfaceMaterial::SHOW_FRONT);
 }
 
-// Single rays only: RTCFilterFunctionNArguments::N is 1.
 void filterNearest(const RTCFilterFunctionNArguments* a)
 {
     auto& context = *reinterpret_cast<Context*>(a->context);
     const auto& mesh = *static_cast<const TriangleMesh*>(a->geometryUserPtr);
-    const RTCRay ray = rtcGetRayFromRayN(a->ray, 1, 0);
-    const RTCHit h = rtcGetHitFromHitN(a->hit, 1, 0);
-    if (context.kind == RayScene::CAMERA) {
-        // Embree's normal is the right-handed one of the vertices' order: against the ray, they are seen counter-clockwise.
-        const float facing = h.Ng_x * ray.dir_x + h.Ng_y * ray.dir_y + h.Ng_z * ray.dir_z;
-        if (!seenFrom(mesh.material, facing < 0.0f)) a->valid[0] = 0;
+    for (unsigned i = 0; i < a->N; ++i) {
+        if (a->valid[i] != -1) continue;
+        const RTCRay ray = rtcGetRayFromRayN(a->ray, a->N, i);
+        const RTCHit h = rtcGetHitFromHitN(a->hit, a->N, i);
+        if (context.kind == RayScene::CAMERA) {
+            // Embree's normal is the right-handed one of the vertices' order: against the ray, they are seen counter-clockwise.
+            const float facing = h.Ng_x * ray.dir_x + h.Ng_y * ray.dir_y + h.Ng_z * ray.dir_z;
+            if (!seenFrom(mesh.material, facing < 0.0f)) a->valid[i] = 0;
+        }
+        if (a->valid[i] == 0 || !mesh.material.perforated()) continue;
+        const double o = opacity(mesh, h);
+        const std::uint64_t seed = context.seeds[ray.id];
+        const double random = unitInterval(mixBits(seed ^ mixBits((std::uint64_t(h.geomID) << 32) | h.primID)));
+        if (!(random < o)) a->valid[i] = 0;
     }
-    if (a->valid[0] == 0 || !mesh.material.perforated()) return;
-    const double o = opacity(barycentric(mesh, h.primID, double(h.u), double(h.v)));
-    const double random = unitInterval(mixBits(context.seed ^ mixBits((std::uint64_t(h.geomID) << 32) | h.primID)));
-    if (!(random < o)) a->valid[0] = 0;
 }
 
 void filterShadow(const RTCFilterFunctionNArguments* a)
@@ -84,7 +88,7 @@ void filterShadow(const RTCFilterFunctionNArguments* a)
         if (a->valid[i] != -1) continue;
         const RTCHit h = rtcGetHitFromHitN(a->hit, a->N, i);
         float& t = context.transmittance[RTCRayN_id(a->ray, a->N, i)];
-        t *= float(1.0 - opacity(barycentric(mesh, h.primID, double(h.u), double(h.v))));
+        t *= float(1.0 - opacity(mesh, h));
         if (t > 0.0f) a->valid[i] = 0;
     }
 }
@@ -110,23 +114,74 @@ double toEmbree(const Ray& ray, double radius, RTCRay& out)
     return skipped;
 }
 
+// Some rays side by side.
+template <class Packet>
+void fill(Packet& packet, int* valid, const Ray* rays, size_t count, double radius, double* skipped)
+{
+    for (unsigned i = 0; i < packetSize; ++i) {
+        valid[i] = i < count ? -1 : 0;
+        RTCRay r;
+        skipped[i] = toEmbree(rays[std::min<size_t>(i, count - 1)], radius, r);
+        packet.org_x[i] = r.org_x;
+        packet.org_y[i] = r.org_y;
+        packet.org_z[i] = r.org_z;
+        packet.dir_x[i] = r.dir_x;
+        packet.dir_y[i] = r.dir_y;
+        packet.dir_z[i] = r.dir_z;
+        packet.tnear[i] = r.tnear;
+        packet.tfar[i] = r.tfar;
+        packet.time[i] = r.time;
+        packet.mask[i] = r.mask;
+        packet.id[i] = i;
+        packet.flags[i] = 0;
+    }
+}
+
+// A triangle in double precision: its first corner, the edges to the others, and their product.
+struct Corners {
+    glm::dvec3 a, b, c, normal;
+
+    Corners() = default;
+    Corners(const TriangleMesh& mesh, const glm::uvec3& triangle)
+        : a(mesh.positions[triangle.x]),
+          b(glm::dvec3(mesh.positions[triangle.y]) - a),
+          c(glm::dvec3(mesh.positions[triangle.z]) - a),
+          normal(glm::cross(b, c))
+    {
+    }
+
+    bool meet(const Ray& ray, PlanePoint& point) const
+    {
+        const double facing = glm::dot(normal, ray.direction);
+        if (facing == 0.0) return false;
+        const glm::dvec3 o = a - ray.origin;
+        const glm::dvec3 r = glm::cross(ray.direction, o);
+        point = {glm::dot(normal, o) / facing, -glm::dot(r, c) / facing, glm::dot(r, b) / facing};
+        return true;
+    }
+};
+
+double largest(const glm::dvec3& v)
+{
+    return std::max(std::abs(v.x), std::max(std::abs(v.y), std::abs(v.z)));
+}
+
 // Ray and triangle in double precision; false where Embree's hit is none. Weights may leave [0,1] by what its single precision
 // leaves open at an edge.
-bool refine(const Ray& ray, SurfaceHit& hit)
+bool refine(const Ray& ray, const Corners& t, SurfaceHit& hit)
 {
     PlanePoint point;
-    if (!meetPlane(*hit.mesh, hit.triangle, ray, point)) return false;
+    if (!t.meet(ray, point)) return false;
     const double slack = 1e-2;
     if (!(point.distance >= 0.0) || point.u < -slack || point.v < -slack || point.u + point.v > 1.0 + slack) return false;
     hit.u = glm::clamp(point.u, 0.0, 1.0);
     hit.v = glm::clamp(point.v, 0.0, 1.0 - hit.u);
     hit.distance = point.distance;
-    const glm::dvec3 a = hit.mesh->positions[hit.triangle.x];
-    const glm::dvec3 b = glm::dvec3(hit.mesh->positions[hit.triangle.y]) - a;
-    const glm::dvec3 c = glm::dvec3(hit.mesh->positions[hit.triangle.z]) - a;
-    hit.position = a + hit.u * b + hit.v * c;
-    const glm::dvec3 n = glm::cross(b, c);
-    hit.facet = (glm::dot(n, ray.direction) > 0.0 ? -1.0 : 1.0) * glm::normalize(n);
+    const glm::dvec3 inside = hit.u * t.b + hit.v * t.c;  // from the first corner
+    hit.position = t.a + inside;
+    hit.facet = (glm::dot(t.normal, ray.direction) > 0.0 ? -1.0 : 1.0) / glm::length(t.normal) * t.normal;
+    hit.extent =
+        std::max(std::max(largest(inside), largest(hit.position)), std::max(largest(inside - t.b), largest(inside - t.c)));
     return true;
 }
 
@@ -196,24 +251,74 @@ RayScene::~RayScene() = default;
 
 bool RayScene::nearest(const Ray& ray, Kind kind, std::uint64_t seed, SurfaceHit& hit) const
 {
+    return follow(ray, kind, seed, 0.0, hit);
+}
+
+// From a distance along the ray.
+bool RayScene::follow(const Ray& ray, Kind kind, std::uint64_t seed, double from, SurfaceHit& hit) const
+{
     Ray rest = ray;
     // A hit that double precision does not confirm is passed; a ray along a surface may meet many.
     for (int attempt = 0; attempt < 64; ++attempt) {
+        rest.origin += rest.direction * from;
         Context context(kind == CAMERA ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
         context.kind = kind;
-        context.seed = seed;
+        context.seeds = &seed;
         RTCRayHit rh;
         const double skipped = toEmbree(rest, _scene.radius, rh.ray);
         rh.hit.geomID = RTC_INVALID_GEOMETRY_ID;
         rtcIntersect1(_embree->scene, &context.context, &rh);
+        hit.mesh = nullptr;
         if (rh.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
         // Meshes were attached in order, so that a geometry's number is its mesh's.
-        hit = barycentric(_scene.meshes[rh.hit.geomID], rh.hit.primID, double(rh.hit.u), double(rh.hit.v));
-        if (refine(ray, hit)) return true;
-        const double t = (skipped + double(rh.ray.tfar)) * (1.0 + 1e-6);
-        rest.origin += rest.direction * std::max(t, 1e-12 * _scene.radius);
+        placeHit(_scene.meshes[rh.hit.geomID], rh.hit.primID, double(rh.hit.u), double(rh.hit.v), hit);
+        if (refine(ray, Corners(*hit.mesh, hit.triangle), hit)) return true;
+        from = beyond(skipped + double(rh.ray.tfar));
     }
+    hit.mesh = nullptr;
     return false;
+}
+
+void RayScene::nearest(const Ray* rays, size_t count, Kind kind, const std::uint64_t* seeds, SurfaceHit* hits) const
+{
+    for (; count > 0 && count < 4; ++rays, ++seeds, ++hits, --count) nearest(*rays, kind, *seeds, *hits);
+    while (count > 0) {
+        const size_t n = std::min<size_t>(packetSize, count);
+        Context context(kind == CAMERA ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
+        context.kind = kind;
+        context.seeds = seeds;
+        RTCRayHit16 packet;
+        alignas(64) int valid[packetSize];
+        double skipped[packetSize];
+        fill(packet.ray, valid, rays, n, _scene.radius, skipped);
+        std::fill_n(packet.hit.geomID, packetSize, RTC_INVALID_GEOMETRY_ID);
+        rtcIntersect16(valid, _embree->scene, &context.context, &packet);
+        // Neighbours meet the same triangle more often than not.
+        Corners corners;
+        unsigned geometry = RTC_INVALID_GEOMETRY_ID, primitive = 0;
+        for (size_t i = 0; i < n; ++i) {
+            SurfaceHit& hit = hits[i];
+            const RTCHit h = rtcGetHitFromHitN(reinterpret_cast<RTCHitN*>(&packet.hit), packetSize, unsigned(i));
+            hit.mesh = nullptr;
+            if (h.geomID == RTC_INVALID_GEOMETRY_ID) continue;
+            placeHit(_scene.meshes[h.geomID], h.primID, double(h.u), double(h.v), hit);
+            if (h.geomID != geometry || h.primID != primitive) corners = Corners(*hit.mesh, hit.triangle);
+            geometry = h.geomID;
+            primitive = h.primID;
+            if (!refine(rays[i], corners, hit))
+                follow(rays[i], kind, seeds[i], beyond(skipped[i] + double(packet.ray.tfar[i])), hit);
+        }
+        rays += n;
+        seeds += n;
+        hits += n;
+        count -= n;
+    }
+}
+
+// A little farther than a hit.
+double RayScene::beyond(double distance) const
+{
+    return std::max(distance * (1.0 + 1e-6), 1e-12 * _scene.radius);
 }
 
 void RayScene::transmittance(const Ray* rays, size_t count, float* result) const
@@ -227,58 +332,28 @@ void RayScene::transmittance(const Ray* rays, size_t count, float* result) const
         return;
     }
     for (size_t first = 0; first < count; first += packetSize) {
-        const unsigned n = unsigned(std::min<size_t>(packetSize, count - first));
-        Context context(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
-        RTCRay8 packet;
-        alignas(32) int valid[packetSize];
-        for (unsigned i = 0; i < packetSize; ++i) {
-            valid[i] = i < n ? -1 : 0;
-            RTCRay r;
-            toEmbree(rays[first + std::min(i, n - 1)], _scene.radius, r);
-            packet.org_x[i] = r.org_x;
-            packet.org_y[i] = r.org_y;
-            packet.org_z[i] = r.org_z;
-            packet.dir_x[i] = r.dir_x;
-            packet.dir_y[i] = r.dir_y;
-            packet.dir_z[i] = r.dir_z;
-            packet.tnear[i] = 0.0f;
-            packet.tfar[i] = r.tfar;
-            packet.time[i] = 0.0f;
-            packet.mask[i] = ~0u;
-            packet.id[i] = i;
-            packet.flags[i] = 0;
-        }
-        rtcOccluded8(valid, _embree->scene, &context.context, &packet);
-        for (unsigned i = 0; i < n; ++i) result[first + i] = packet.tfar[i] < 0.0f ? 0.0f : context.transmittance[i];
+        const size_t n = std::min<size_t>(packetSize, count - first);
+        Context context(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);  // from one pixel, but all over the hemisphere
+        RTCRay16 packet;
+        alignas(64) int valid[packetSize];
+        double skipped[packetSize];
+        fill(packet, valid, rays + first, n, _scene.radius, skipped);
+        rtcOccluded16(valid, _embree->scene, &context.context, &packet);
+        for (size_t i = 0; i < n; ++i) result[first + i] = packet.tfar[i] < 0.0f ? 0.0f : context.transmittance[i];
     }
 }
 
 Ray RayScene::leave(const SurfaceHit& hit, const glm::dvec3& direction)
 {
-    double extent = 0.0;
-    for (int k = 0; k < 3; ++k) {
-        const glm::dvec3 corner = hit.mesh->positions[hit.triangle[k]];
-        const glm::dvec3 size = glm::max(glm::abs(corner - hit.position), glm::abs(hit.position));
-        extent = std::max(extent, std::max(size.x, std::max(size.y, size.z)));
-    }
     // Four units in the last place of what a single-precision ray and triangle are made of.
-    const double lift = std::ldexp(extent, -21);
+    const double lift = hit.extent * 0x1p-21;
     const double side = glm::dot(direction, hit.facet) < 0.0 ? -lift : lift;
     return {hit.position + side * hit.facet, direction};
 }
 
 bool meetPlane(const TriangleMesh& mesh, const glm::uvec3& triangle, const Ray& ray, PlanePoint& point)
 {
-    const glm::dvec3 a = mesh.positions[triangle.x];
-    const glm::dvec3 b = glm::dvec3(mesh.positions[triangle.y]) - a;
-    const glm::dvec3 c = glm::dvec3(mesh.positions[triangle.z]) - a;
-    const glm::dvec3 n = glm::cross(b, c);
-    const double facing = glm::dot(n, ray.direction);
-    if (facing == 0.0) return false;
-    const glm::dvec3 o = a - ray.origin;
-    const glm::dvec3 r = glm::cross(ray.direction, o);
-    point = {glm::dot(n, o) / facing, -glm::dot(r, c) / facing, glm::dot(r, b) / facing};
-    return true;
+    return Corners(mesh, triangle).meet(ray, point);
 }
 
 glm::dvec4 surfaceColor(const SurfaceHit& hit, const glm::dvec2& dx, const glm::dvec2& dy)

@@ -26,11 +26,6 @@ struct PixelMeans {
     double coverage = 0.0;
 
     glm::dvec3& operator[](Layer l) { return layers[size_t(l)]; }
-    void scale(double f)
-    {
-        for (glm::dvec3& l : layers) l *= f;
-        coverage *= f;
-    }
 };
 
 }  // namespace
@@ -133,29 +128,18 @@ class ReferenceRun
         ++_result._passes[i];
     }
 
-    // Seen through a pixel: a surface or the background.
-    struct Seen {
-        Ray ray;
-        bool surface = false;
-        SurfaceHit hit;
-        glm::dvec4 color{0, 0, 0, 0};
+    // What one pixel's samples are made of. Kept from pixel to pixel: allocations would cost more than the rays.
+    struct Workspace {
+        std::vector<RandomPoints> random;
+        // Of each look through the pixel.
+        std::vector<glm::dvec2> places;
+        std::vector<Ray> rays;
+        std::vector<std::uint64_t> seeds;
+        std::vector<SurfaceHit> hits;
+        std::vector<Reflection> surfaces;  // where something is hit
+        std::vector<LightTransport::Start> starts;
+        LightTransport::Arrivals arrivals;
     };
-
-    Seen look(double x, double y, std::uint64_t seed) const
-    {
-        Seen seen;
-        seen.ray = sceneRay(_reference, x, y);
-        seen.surface = _reference._scene.nearest(seen.ray, RayScene::CAMERA, seed, seen.hit);
-        if (!seen.surface) return seen;
-        glm::dvec2 dx(0.0), dy(0.0);
-        if (seen.hit.mesh->material.texture) {
-            const glm::dvec2 here = textureAt(seen.ray, seen.hit);
-            dx = textureAt(sceneRay(_reference, x + 1.0, y), seen.hit) - here;
-            dy = textureAt(sceneRay(_reference, x, y + 1.0), seen.hit) - here;
-        }
-        seen.color = surfaceColor(seen.hit, dx, dy);
-        return seen;
-    }
 
     // Texture coordinates where a ray meets the plane of a hit's triangle.
     static glm::dvec2 textureAt(const Ray& ray, const SurfaceHit& hit)
@@ -169,58 +153,67 @@ class ReferenceRun
         return moved.interpolate(hit.mesh->texCoords);
     }
 
+    glm::dvec4 colorAt(const glm::dvec2& place, const Ray& ray, const SurfaceHit& hit) const
+    {
+        if (!hit.mesh->material.texture) return surfaceColor(hit);
+        const glm::dvec2 here = textureAt(ray, hit);
+        const glm::dvec2 dx = textureAt(sceneRay(_reference, place.x + 1.0, place.y), hit) - here;
+        const glm::dvec2 dy = textureAt(sceneRay(_reference, place.x, place.y + 1.0), hit) - here;
+        return surfaceColor(hit, dx, dy);
+    }
+
     PixelMeans pixel(int x, int y, unsigned samples) const
     {
         const std::uint64_t pixelSeed =
             mixBits(mixBits(mixBits(_options.seed) ^ _pass) ^ ((std::uint64_t(unsigned(y)) << 32) | unsigned(x)));
         const bool scrambled = _options.estimator == ReferenceOptions::MIS;
+        thread_local Workspace w;
+        w.random.clear();
+        for (unsigned s = 0; s < samples; ++s) w.random.emplace_back(pixelSeed, s, scrambled);
+        look(x, y, _primaryKept ? 1 : samples, pixelSeed, w);
         PixelMeans means;
-        if (_primaryKept) {
-            const Seen seen = look(x + 0.5, y + 0.5, pixelSeed);
-            thread_local std::vector<RandomPoints> points;
-            points.clear();
-            for (unsigned s = 0; s < samples; ++s) points.emplace_back(pixelSeed, s, scrambled);
-            shade(seen, points, pixelSeed, means);
-            return means;
-        }
-        std::vector<RandomPoints> points;
-        for (unsigned s = 0; s < samples; ++s) {
-            points.assign(1, RandomPoints(pixelSeed, s, scrambled));
-            const glm::dvec2 offset = _options.antialias ? points[0].square() : glm::dvec2(0.5);
-            const std::uint64_t seed = mixBits(pixelSeed + s);
-            PixelMeans one;
-            shade(look(x + offset.x, y + offset.y, seed), points, seed, one);
-            for (Layer l : _layers) means[l] += one[l];
-            means.coverage += one.coverage;
-        }
-        means.scale(1.0 / samples);
+        shade(pixelSeed, w, means);
         return means;
     }
 
-    // The mean of as many samples as there are points.
-    void shade(const Seen& seen, std::vector<RandomPoints>& points, std::uint64_t seed, PixelMeans& m) const
+    void look(int x, int y, size_t looks, std::uint64_t pixelSeed, Workspace& w) const
     {
-        if (!seen.surface) {
-            m[Layer::BACKGROUND] = _reference._environment.from(seen.ray.direction).radiance;
-            m[Layer::BEAUTY] = m[Layer::BACKGROUND];
-            return;
+        w.places.resize(looks);
+        w.rays.resize(looks);
+        w.seeds.resize(looks);
+        w.hits.resize(looks);
+        for (size_t i = 0; i < looks; ++i) {
+            w.places[i] = glm::dvec2(x, y) + (_options.antialias ? w.random[i].square() : glm::dvec2(0.5));
+            w.rays[i] = sceneRay(_reference, w.places[i].x, w.places[i].y);
+            w.seeds[i] = mixBits(pixelSeed + i);
         }
-        const double weight = 1.0 / double(points.size());
-        const Reflection surface(seen.hit, seen.ray, seen.color);
-        thread_local LightTransport::Arrivals arrivals;
-        arrivals.clear();
-        for (RandomPoints& p : points) _transport.sampleDirect(surface, p, arrivals);
-        for (LightTransport::Arrival& a : arrivals) {
-            a.diffuse *= weight;
-            a.specular *= weight;
+        _reference._scene.nearest(w.rays.data(), looks, RayScene::CAMERA, w.seeds.data(), w.hits.data());
+    }
+
+    void shade(std::uint64_t pixelSeed, Workspace& w, PixelMeans& m) const
+    {
+        const size_t looks = w.rays.size(), samples = w.random.size();
+        const double share = 1.0 / double(looks), weight = 1.0 / double(samples);
+        w.surfaces.clear();
+        w.surfaces.reserve(looks);  // the starts point at them
+        w.starts.clear();
+        w.arrivals.clear();
+        for (size_t i = 0; i < looks; ++i) {
+            const SurfaceHit& hit = w.hits[i];
+            if (!hit.mesh) {
+                m[Layer::BACKGROUND] += share * _reference._environment.from(w.rays[i].direction).radiance;
+                continue;
+            }
+            const Reflection& surface = w.surfaces.emplace_back(hit, w.rays[i], colorAt(w.places[i], w.rays[i], hit));
+            for (size_t s = i; s < samples; s += looks) w.starts.push_back({&hit, &surface, &w.random[s]});
+            if (_reference._lights) _transport.addLights(hit, surface, share, w.arrivals);
+            addSurface(hit, surface, share, m);
         }
-        if (_reference._lights) _transport.addLights(surface, arrivals);
-        const DirectLight direct = _transport.resolve(seen.hit, arrivals);
+        _transport.sampleDirect(w.starts, weight, w.arrivals);
+        const DirectLight direct = _transport.resolve(w.arrivals);
         if (_options.paths == ReferenceOptions::FULL)
-            for (size_t i = 0; i < points.size(); ++i)
-                m[Layer::INDIRECT] += weight * _transport.indirect(seen.hit, surface, mixBits(seed ^ mixBits(i)), points[i]);
-        m.coverage = 1.0;
-        m[Layer::EMISSION] = surface.emission();
+            for (size_t i = 0; i < w.starts.size(); ++i)
+                m[Layer::INDIRECT] += weight * _transport.indirect(w.starts[i], mixBits(pixelSeed ^ mixBits(i)));
         m[Layer::DIFFUSE] = direct.diffuse;
         m[Layer::OCCLUSION] = direct.occlusion;
         m[Layer::SPECULAR] = direct.specular;
@@ -228,13 +221,20 @@ class ReferenceRun
         m[Layer::OCCLUSION_OUTSIDE] = direct.outside;
         m[Layer::OCCLUSION_HIDDEN] = direct.hidden;
         m[Layer::OCCLUSION_FAR] = direct.far;
-        m[Layer::BEAUTY] = surface.emission() + direct.visible() + m[Layer::INDIRECT];
-        m[Layer::ALBEDO] = surface.albedo();
-        m[Layer::NORMAL] = surface.normal();
-        m[Layer::BLENDED] = glm::dvec3(seen.hit.mesh->material.blended ? 1.0 : 0.0);
+        m[Layer::BEAUTY] = m[Layer::BACKGROUND] + m[Layer::EMISSION] + direct.visible() + m[Layer::INDIRECT];
+    }
+
+    // What is not sampled.
+    void addSurface(const SurfaceHit& hit, const Reflection& surface, double share, PixelMeans& m) const
+    {
+        m.coverage += share;
+        m[Layer::EMISSION] += share * surface.emission();
+        m[Layer::ALBEDO] += share * surface.albedo();
+        m[Layer::NORMAL] += share * surface.normal();
+        m[Layer::BLENDED] += hit.mesh->material.blended ? share : 0.0;
         if (_layers.count(Layer::DEPTH)) {
-            const glm::dvec3 world = seen.hit.position + _reference._scene.scene().origin;
-            m[Layer::DEPTH] = glm::dvec3(_reference._camera.project(world).z);
+            const glm::dvec3 world = hit.position + _reference._scene.scene().origin;
+            m[Layer::DEPTH] += share * _reference._camera.project(world).z;
         }
     }
 

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// What the reference works out for many samples at once is what it works out for each.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "TestScenes.h"
+#include "Traced.h"
+
+using namespace osgEnvLight;
+
+namespace
+{
+
+glm::dvec3 randomDirection(std::mt19937& random)
+{
+    std::normal_distribution<double> normal;
+    return glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
+}
+
+std::vector<Ray> randomRays(std::mt19937& random, size_t count)
+{
+    std::vector<Ray> rays;
+    for (size_t i = 0; i < count; ++i) {
+        const glm::dvec3 from = 20.0 * randomDirection(random);
+        rays.push_back({from, glm::normalize(2.0 * randomDirection(random) - from)});
+    }
+    return rays;
+}
+
+}  // namespace
+
+TEST(RayScene, ManyRaysMeetWhatEachOfThemMeets)
+{
+    std::mt19937 random(2);
+    for (const TestScene& scene : testScenes()) {
+        const Traced view = perspectiveView(*scene.node, scene.eye, scene.target, 1);
+        const RayScene rays(view.triangles());
+        for (const auto kind : {RayScene::CAMERA, RayScene::ANY})
+            for (size_t count : {1u, 3u, 4u, 16u, 17u, 100u, 1000u}) {
+                const std::vector<Ray> batch = randomRays(random, count);
+                std::vector<std::uint64_t> seeds;
+                for (size_t i = 0; i < count; ++i) seeds.push_back(random());
+                std::vector<SurfaceHit> hits(count);
+                rays.nearest(batch.data(), count, kind, seeds.data(), hits.data());
+                for (size_t i = 0; i < count; ++i) {
+                    SurfaceHit single;
+                    EXPECT_EQ(rays.nearest(batch[i], kind, seeds[i], single), hits[i].mesh != nullptr) << scene.name;
+                    if (!single.mesh || !hits[i].mesh) continue;
+                    // On an edge either triangle may be the one.
+                    EXPECT_NEAR(glm::length(single.position - hits[i].position), 0.0, 1e-5) << scene.name;
+                    EXPECT_NEAR(single.distance, hits[i].distance, 1e-5) << scene.name;
+                }
+            }
+    }
+}
+
+TEST(RayScene, ManyRaysGetThroughAsEachOfThemDoes)
+{
+    std::mt19937 random(3);
+    for (const TestScene& scene : testScenes()) {
+        const Traced view = perspectiveView(*scene.node, scene.eye, scene.target, 1);
+        const RayScene rays(view.triangles());
+        for (size_t count : {1u, 2u, 16u, 17u, 1000u}) {
+            const std::vector<Ray> batch = randomRays(random, count);
+            std::vector<float> through(count, -1.0f);
+            rays.transmittance(batch.data(), count, through.data());
+            for (size_t i = 0; i < count; ++i) {
+                float single = -1.0f;
+                rays.transmittance(&batch[i], 1, &single);
+                EXPECT_FLOAT_EQ(single, through[i]) << scene.name;
+            }
+        }
+    }
+}
+
+TEST(Environment, ManyDirectionsBringWhatEachOfThemBrings)
+{
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> unit;
+    const osg::ref_ptr<osg::Image> image =
+        makeMap(38, 19, [](const osg::Vec3d& d) { return osg::Vec3d(1.0 + d.x(), 2.0, 1.5 + d.z()); });
+    const osg::ref_ptr<EnvironmentMap> map = new EnvironmentMap(image);
+    std::string error;
+    const osg::ref_ptr<const RadianceMap> radiance = map->radiance(error);
+    ASSERT_TRUE(radiance) << error;
+    const MapEnvironment sky(*radiance, 30.0, 2.0);
+    for (size_t count : {0u, 1u, 16u, 50u}) {
+        std::vector<glm::dvec3> directions;
+        std::vector<glm::dvec2> squares;
+        for (size_t i = 0; i < count; ++i) {
+            directions.push_back(randomDirection(random));
+            squares.emplace_back(unit(random), unit(random));
+        }
+        std::vector<Incident> from, sampled;
+        sky.fromEach(directions, true, from);
+        sky.sampleEach(squares, sampled);
+        ASSERT_EQ(count, from.size());
+        ASSERT_EQ(count, sampled.size());
+        for (size_t i = 0; i < count; ++i) {
+            const Incident in = sky.from(directions[i], true), s = sky.sample(squares[i]);
+            EXPECT_EQ(in.radiance, from[i].radiance);
+            EXPECT_EQ(in.density, from[i].density);
+            EXPECT_EQ(s.direction, sampled[i].direction);
+            EXPECT_EQ(s.radiance, sampled[i].radiance);
+            // What is sampled is what is there.
+            EXPECT_NEAR(sky.from(s.direction).radiance.r, s.radiance.r, 1e-5 * s.radiance.r);
+        }
+    }
+}
