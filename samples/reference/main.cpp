@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // envlight-reference: the truth of a scene under its environment, ray traced.
 #include "ImageFile.h"
+#include "Numbers.h"
 #include "PluginPath.h"
 #include "ProgressBar.h"
 #include "ReferenceScene.h"

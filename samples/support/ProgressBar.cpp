@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
-#include <locale>
-#include <sstream>
 
 #include <unistd.h>
 
@@ -27,13 +25,4 @@ void ProgressBar::finish()
 {
     if (_shown) std::cerr << "\r\033[K" << std::flush;
     _shown = false;
-}
-
-std::string percent(double fraction)
-{
-    std::ostringstream out;
-    out.imbue(std::locale::classic());
-    out.precision(3);
-    out << 100.0 * fraction << " %";
-    return out.str();
 }

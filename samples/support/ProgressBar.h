@@ -22,6 +22,3 @@ class ProgressBar
     bool _shown = false;
     std::chrono::steady_clock::time_point _start;
 };
-
-/** "1.25 %" */
-std::string percent(double fraction);

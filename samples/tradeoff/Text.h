@@ -2,19 +2,13 @@
 // Numbers and names as text, whatever the locale is.
 #pragma once
 
-#include <string>
+#include "Numbers.h"
 
 namespace tradeoff
 {
 
 /** Unrounded, as C, CSV and JSON read it; "" if it is not finite. */
 std::string exactNumber(double value);
-
-/** For people: "475", "0.047", "1.2×10⁶"; an en dash if it is not finite. */
-std::string roundedNumber(double value, int digits = 3);
-
-/** The same of 100 times the value, with two digits: "2.1 %". */
-std::string percent(double value);
 
 /** "47.5 ms" */
 std::string milliseconds(double value);

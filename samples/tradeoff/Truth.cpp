@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "Truth.h"
 
-#include "ProgressBar.h"
+#include "Numbers.h"
 
 #include <metrics/Display>
 #include <metrics/Flip>

@@ -92,7 +92,7 @@ void printAnswers(const Report& report)
     for (const Target& target : report.targets) {
         const Choice choice = answerTo(target, report.points);
         const bool error = target.kind == Target::ERROR;
-        std::cout << (error ? "Cheapest within an error of " + ::percent(target.value)
+        std::cout << (error ? "Cheapest within an error of " + percent(target.value)
                             : "Most exact within " + milliseconds(target.value))
                   << ": ";
         if (choice)
@@ -164,7 +164,7 @@ int run(Arguments& a)
     options.seconds = a.quick ? 35.0 : 360.0;
     options.reach = double(lit->getSettings()->occlusionRadius) * reference.radius();
     const Truth truth = makeTruth(reference, options, [&](double fraction, double error) {
-        bar.show(referenceShare * fraction, "reference, error " + ::percent(error));
+        bar.show(referenceShare * fraction, "reference, error " + percent(error));
         return !interrupted;
     });
     if (truth.mask.pixels() == 0)

@@ -91,7 +91,7 @@ TEST_F(TradeoffProgram, MeasuresAndReports)
     EXPECT_GT(j["points"][2]["beauty"]["tRMSE"], j["points"][0]["beauty"]["tRMSE"]);
     // The default value was not timed twice.
     EXPECT_EQ(j["points"][4]["milliseconds"], j["points"][0]["milliseconds"]);
-    EXPECT_NE(o.out.find("Cheapest within an error of 50 %"), std::string::npos) << o.out;
+    EXPECT_NE(o.out.find("Cheapest within an error of 50\u00a0%"), std::string::npos) << o.out;
     EXPECT_NE(o.out.find("none was found"), std::string::npos) << o.out;
     EXPECT_NE(readFile(output + "/index.html").find("envlight-tradeoff"), std::string::npos);
     EXPECT_FALSE(readFile(output + "/tradeoff.csv").empty());
