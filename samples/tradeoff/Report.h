@@ -101,6 +101,9 @@ struct Report {
     std::vector<TermPictures> pictures;
 };
 
+/** Make the folder if it is missing, and see that it can be written; an earlier report in it stays. Throws as writeReport(). */
+void makeReportFolder(const std::string& folder);
+
 /** Write the three files; the folder is made if it is missing. None is ever seen half written. Throws std::runtime_error
  * that names the file and the reason.*/
 void writeReport(const Report& report, const std::string& folder);

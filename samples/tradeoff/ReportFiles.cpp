@@ -126,11 +126,20 @@ std::string jsonText(const Report& report)
 
 }  // namespace
 
-void writeReport(const Report& report, const std::string& folder)
+void makeReportFolder(const std::string& folder)
 {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) throw std::runtime_error(folder + ": can't be made: " + error.message());
+    // A file that nothing else has the name of: an earlier report stays until there is another.
+    const std::string trial = folder + "/tradeoff.trial";
+    writeFile(trial, "");
+    std::remove(trial.c_str());
+}
+
+void writeReport(const Report& report, const std::string& folder)
+{
+    makeReportFolder(folder);
     writeFile(folder + "/tradeoff.json", jsonText(report));
     writeFile(folder + "/tradeoff.csv", csvText(report));
     writeFile(folder + "/index.html", htmlPage(report));

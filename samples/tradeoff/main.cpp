@@ -146,13 +146,12 @@ int run(Arguments& a)
     } catch (const std::invalid_argument& error) {
         throw BadArguments(error.what());
     }
-    Report report;
-    // A folder that can't be written should be known before the minutes of measuring.
-    writeReport(report, a.output);
     const osg::ref_ptr<osgEnvLight::LitScene> lit = a.scene.load(true);
     const ReferenceScene reference(*lit, a.scene);
     if (reference.triangles().triangles == 0)
         throw std::runtime_error(a.scene.scene + ": the scene has no surface: there is nothing to measure");
+    // A folder that can't be written should be known before the minutes of measuring.
+    makeReportFolder(a.output);
     HeadlessViewer viewer(*lit, a.scene);
     std::signal(SIGINT, [](int) { interrupted = 1; });
 
@@ -171,6 +170,7 @@ int run(Arguments& a)
         throw std::runtime_error(a.scene.scene + ": no surface is in the view: there is nothing to measure");
 
     Measurement measurement(*lit, viewer, truth, a.quick ? 5 : 9);
+    Report report;
     report.scene = a.scene.scene;
     report.map = lit->getEnvironmentMap()->getMap();
     report.width = a.scene.width;

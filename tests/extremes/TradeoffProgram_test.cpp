@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include <nlohmann/json.hpp>
 
@@ -170,6 +171,21 @@ TEST_F(TradeoffProgram, NothingToMeasure)
     std::vector<std::string> away = command(writeScene(folder), folder.file("report"));
     *(std::find(away.begin(), away.end(), "--target") + 1) = "8,-10,6";
     expectRefused(away, 1, "no surface is in the view");
+}
+
+TEST_F(TradeoffProgram, AFailureLeavesAnEarlierReport)
+{
+    const TemporaryFolder folder;
+    const std::string scene = writeScene(folder), output = folder.file("report");
+    std::filesystem::create_directory(output);
+    std::ofstream(output + "/index.html") << "earlier";
+    expectRefused(command(folder.file("missing.obj"), output), 1, "missing.obj");
+    std::vector<std::string> away = command(scene, output);
+    *(std::find(away.begin(), away.end(), "--target") + 1) = "8,-10,6";
+    expectRefused(away, 1, "no surface is in the view");
+    EXPECT_EQ(readFile(output + "/index.html"), "earlier");
+    const std::filesystem::directory_iterator files(output);
+    EXPECT_EQ(std::distance(begin(files), end(files)), 1);
 }
 
 TEST_F(TradeoffProgram, CameraInsideAWall)
