@@ -14,6 +14,32 @@ namespace
 
 const double evenly = 1.0 / (4.0 * pi);
 
+void appendGuide(const double* sums, size_t n, std::vector<std::uint32_t>& guide)
+{
+    size_t first = 0;
+    for (size_t k = 0; k < n; ++k) {
+        while (first + 1 < n && sums[first] <= double(k) / double(n) * sums[n - 1]) ++first;
+        guide.push_back(std::uint32_t(first));
+    }
+}
+
+// The first of the sums above that share of the last, u in [0,1).
+size_t firstAbove(const double* sums, size_t n, const std::uint32_t* guide, double u)
+{
+    const double value = u * sums[n - 1];
+    size_t i = guide[std::min(size_t(u * double(n)), n - 1)];
+    while (i > 0 && sums[i - 1] > value) --i;  // where u n was rounded up
+    while (i + 1 < n && sums[i] <= value) ++i;
+    return i;
+}
+
+// How far a value lies between the sum before and that one, 0 to 1.
+double within(const double* sums, size_t i, double value)
+{
+    const double before = i > 0 ? sums[i - 1] : 0.0;
+    return std::clamp((value - before) / std::max(sums[i] - before, 1e-300), 0.0, 1.0);
+}
+
 }  // namespace
 
 void Environment::fromEach(const std::vector<glm::dvec3>& directions, bool withDensity, std::vector<Incident>& result) const
@@ -71,7 +97,8 @@ glm::dvec3 MapEnvironment::bilinear(const Place& p) const
 void MapEnvironment::makeTables()
 {
     const double step = pi / _height;
-    for (int y = 0; y < _height; ++y) _solidAngle.push_back(2.0 * pi / _width * (std::cos(y * step) - std::cos((y + 1) * step)));
+    for (int y = 0; y <= _height; ++y) _rowCosine.push_back(std::cos(y * step));
+    for (size_t y = 0; y < size_t(_height); ++y) _solidAngle.push_back(2.0 * pi / _width * (_rowCosine[y] - _rowCosine[y + 1]));
     // The mean of the bilinear function over a texel weights it and its neighbours 6/8 and 1/8, along either axis.
     const double weights[3] = {0.125, 0.75, 0.125};
     _columnSums.reserve(size_t(_width) * size_t(_height));
@@ -87,7 +114,9 @@ void MapEnvironment::makeTables()
             _columnSums.push_back(columns);
         }
         _rowSums.push_back(rows += columns);
+        appendGuide(&_columnSums[size_t(y) * size_t(_width)], size_t(_width), _columnGuides);
     }
+    appendGuide(_rowSums.data(), size_t(_height), _rowGuide);
     if (!(rows > 0.0)) {
         _columnSums.clear();
         _rowSums.clear();
@@ -117,24 +146,16 @@ Incident MapEnvironment::aim(const glm::dvec2& u, Place& place) const
 {
     if (_rowSums.empty()) return locate(aboutPole(1.0 - 2.0 * u.x, u.y), true, place);
     // The random numbers are used up digit by digit: what is left of one places the point within its row or texel.
-    const double r = u.y * _rowSums.back();
-    const auto row = std::min(std::upper_bound(_rowSums.begin(), _rowSums.end(), r), _rowSums.end() - 1);
-    const int y = int(row - _rowSums.begin());
-    const double below = y > 0 ? *(row - 1) : 0.0;
-    const double v = std::clamp((r - below) / std::max(*row - below, 1e-300), 0.0, 1.0);
-    const auto first = _columnSums.begin() + ptrdiff_t(y) * _width;
-    const double c = u.x * *(first + _width - 1);
-    const auto column = std::min(std::upper_bound(first, first + _width, c), first + _width - 1);
-    const int x = int(column - first);
-    const double left = x > 0 ? *(column - 1) : 0.0;
-    const double w = std::clamp((c - left) / std::max(*column - left, 1e-300), 0.0, 1.0);
-
-    const double step = pi / _height;
-    const double top = std::cos(y * step);
-    const double z = top + v * (std::cos((y + 1) * step) - top);  // evenly in solid angle
+    const auto width = size_t(_width);
+    const size_t y = firstAbove(_rowSums.data(), size_t(_height), _rowGuide.data(), u.y);
+    const double v = within(_rowSums.data(), y, u.y * _rowSums.back());
+    const double* sums = &_columnSums[y * width];
+    const size_t x = firstAbove(sums, width, &_columnGuides[y * width], u.x);
+    const double column = double(x) + within(sums, x, u.x * sums[width - 1]);
+    const double z = _rowCosine[y] + v * (_rowCosine[y + 1] - _rowCosine[y]);  // evenly in solid angle
     const double s = std::sqrt(std::max(0.0, 1.0 - z * z));
-    place = this->place(x + w - 0.5, 2.0 * turnOf(s, z) * _height - 0.5);
-    return {turned(aboutPole(z, 0.5 - (x + w) / _width), _sin), glm::dvec3(0.0), texelDensity(x, y)};
+    place = this->place(column - 0.5, 2.0 * turnOf(s, z) * _height - 0.5);
+    return {turned(aboutPole(z, 0.5 - column / _width), _sin), glm::dvec3(0.0), texelDensity(int(x), int(y))};
 }
 
 Incident MapEnvironment::from(const glm::dvec3& direction, bool withDensity) const

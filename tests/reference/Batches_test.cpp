@@ -108,3 +108,33 @@ TEST(Environment, ManyDirectionsBringWhatEachOfThemBrings)
         }
     }
 }
+
+TEST(Environment, SamplesComeWithTheirDensity)
+{
+    // A bright spot in one row, two rows that are nearly black, and a black map.
+    const auto radiance = [](double spot, double sky) {
+        return [=](const osg::Vec3d& d) {
+            return osg::Vec3d(1, 1, 1) * (d * osg::Vec3d(0.6, 0, 0.8) > 0.97 ? spot : std::abs(d.z()) < 0.1 ? 1e-9 * sky : sky);
+        };
+    };
+    for (const auto& [spot, sky] : {std::pair(1.0, 1.0), {1e6, 1.0}, {0.0, 0.0}}) {
+        const osg::ref_ptr<EnvironmentMap> map = new EnvironmentMap(makeMap(66, 33, radiance(spot, sky)));
+        std::string error;
+        const osg::ref_ptr<const RadianceMap> read = map->radiance(error);
+        ASSERT_TRUE(read) << error;
+        const MapEnvironment environment(*read, 20.0, 1.0);
+        const int n = 400;
+        double flux = 0.0;
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j < n; ++j) {
+                const Incident in = environment.sample({(i + 0.37) / n, (j + 0.37) / n});
+                ASSERT_GT(in.density, 0.0);
+                EXPECT_NEAR(glm::length(in.direction), 1.0, 1e-9);
+                flux += in.radiance.r / in.density / (n * n);
+                // None of these points is on the border of two texels.
+                EXPECT_NEAR(environment.from(in.direction, true).density / in.density, 1.0, 1e-9)
+                    << spot << ", " << i << ", " << j;
+            }
+        EXPECT_NEAR(flux, read->flux[0], 0.01 * read->flux[0]) << spot;
+    }
+}
