@@ -78,14 +78,19 @@ const glm::vec3* MapEnvironment::row(int y) const
 }
 
 // Column and row are not below -1: what is cut off is what floor() would, without a call.
-MapEnvironment::Place MapEnvironment::place(double column, double row) const
+void MapEnvironment::place(double column, double row, Place& place) const
 {
     const int left = std::min(int(column + 1.0) - 1, _width - 1);
     const int top = int(row + 1.0) - 1;
     const int x0 = left < 0 ? left + _width : left;
     const int x1 = left + 1 < _width ? left + 1 : 0;
     const glm::vec3 *upper = this->row(top), *lower = this->row(top + 1);
-    return {{upper + x0, upper + x1, lower + x0, lower + x1}, float(column - left), float(row - top)};
+    place.texels[0] = upper + x0;
+    place.texels[1] = upper + x1;
+    place.texels[2] = lower + x0;
+    place.texels[3] = lower + x1;
+    place.x = float(column - left);
+    place.y = float(row - top);
 }
 
 glm::dvec3 MapEnvironment::bilinear(const Place& p) const
@@ -130,21 +135,22 @@ double MapEnvironment::texelDensity(int x, int y) const
     return (sums[x] - (x > 0 ? sums[x - 1] : 0.0)) / (_rowSums.back() * _solidAngle[size_t(y)]);
 }
 
+// What they find is written where it is kept: copies of what was just written wait for it.
 // In the architecture's words: top row +Z, the centre along +X, columns clockwise seen from above.
-Incident MapEnvironment::locate(const glm::dvec3& direction, bool withDensity, Place& place) const
+void MapEnvironment::locate(const glm::dvec3& direction, bool withDensity, Place& place, Incident& in) const
 {
     const glm::dvec3 d = turned(direction, -_sin);
     const double column = (0.5 - turnOf(d.y, d.x)) * _width;
     const double row = 2.0 * turnOf(std::sqrt(d.x * d.x + d.y * d.y), d.z) * _height;
-    place = this->place(column - 0.5, row - 0.5);
-    Incident in{direction, glm::dvec3(0.0)};
+    this->place(column - 0.5, row - 0.5, place);
+    in.direction = direction;
+    in.density = 0.0;
     if (withDensity) in.density = texelDensity(std::clamp(int(column), 0, _width - 1), std::clamp(int(row), 0, _height - 1));
-    return in;
 }
 
-Incident MapEnvironment::aim(const glm::dvec2& u, Place& place) const
+void MapEnvironment::aim(const glm::dvec2& u, Place& place, Incident& in) const
 {
-    if (_rowSums.empty()) return locate(aboutPole(1.0 - 2.0 * u.x, u.y), true, place);
+    if (_rowSums.empty()) return locate(aboutPole(1.0 - 2.0 * u.x, u.y), true, place, in);
     // The random numbers are used up digit by digit: what is left of one places the point within its row or texel.
     const auto width = size_t(_width);
     const size_t y = firstAbove(_rowSums.data(), size_t(_height), _rowGuide.data(), u.y);
@@ -154,14 +160,16 @@ Incident MapEnvironment::aim(const glm::dvec2& u, Place& place) const
     const double column = double(x) + within(sums, x, u.x * sums[width - 1]);
     const double z = _rowCosine[y] + v * (_rowCosine[y + 1] - _rowCosine[y]);  // evenly in solid angle
     const double s = std::sqrt(std::max(0.0, 1.0 - z * z));
-    place = this->place(column - 0.5, 2.0 * turnOf(s, z) * _height - 0.5);
-    return {turned(aboutPole(z, 0.5 - column / _width), _sin), glm::dvec3(0.0), texelDensity(int(x), int(y))};
+    this->place(column - 0.5, 2.0 * turnOf(s, z) * _height - 0.5, place);
+    in.direction = turned(aboutPole(z, 0.5 - column / _width), _sin);
+    in.density = texelDensity(int(x), int(y));
 }
 
 Incident MapEnvironment::from(const glm::dvec3& direction, bool withDensity) const
 {
     Place place;
-    Incident in = locate(direction, withDensity, place);
+    Incident in;
+    locate(direction, withDensity, place, in);
     in.radiance = bilinear(place);
     return in;
 }
@@ -169,7 +177,8 @@ Incident MapEnvironment::from(const glm::dvec3& direction, bool withDensity) con
 Incident MapEnvironment::sample(const glm::dvec2& u) const
 {
     Place place;
-    Incident in = aim(u, place);
+    Incident in;
+    aim(u, place, in);
     in.radiance = bilinear(place);
     return in;
 }
@@ -183,7 +192,7 @@ void MapEnvironment::each(size_t count, std::vector<Incident>& result, const Fro
     for (size_t first = 0; first < count; first += 16) {
         const size_t n = std::min<size_t>(16, count - first);
         for (size_t i = 0; i < n; ++i) {
-            result[first + i] = from(first + i, places[i]);
+            from(first + i, places[i], result[first + i]);
             __builtin_prefetch(places[i].texels[0]);
             __builtin_prefetch(places[i].texels[2]);
         }
@@ -193,12 +202,12 @@ void MapEnvironment::each(size_t count, std::vector<Incident>& result, const Fro
 
 void MapEnvironment::fromEach(const std::vector<glm::dvec3>& directions, bool withDensity, std::vector<Incident>& result) const
 {
-    each(directions.size(), result, [&](size_t i, Place& place) { return locate(directions[i], withDensity, place); });
+    each(directions.size(), result, [&](size_t i, Place& place, Incident& in) { locate(directions[i], withDensity, place, in); });
 }
 
 void MapEnvironment::sampleEach(const std::vector<glm::dvec2>& u, std::vector<Incident>& result) const
 {
-    each(u.size(), result, [&](size_t i, Place& place) { return aim(u[i], place); });
+    each(u.size(), result, [&](size_t i, Place& place, Incident& in) { aim(u[i], place, in); });
 }
 
 SunEnvironment::SunEnvironment(const DominantLights& suns, double rotation, double intensity)

@@ -47,9 +47,8 @@ RayCamera::RayCamera(const osg::Camera& camera, const osg::BoundingSphere& scene
 {
 }
 
-Ray RayCamera::ray(double x, double y) const
+Ray RayCamera::parallelRay(double x, double y) const
 {
-    if (!_orthographic) return {_eye, glm::normalize(_corner + x * _right + y * _up)};
     const osg::Vec3d eye = osg::Vec3d(2.0 * x / _width - 1.0, 2.0 * y / _height - 1.0, -1.0) * _eyeFromClip;
     return {toGlm(osg::Vec3d(eye.x(), eye.y(), _depth) * _worldFromEye), -_backward};
 }

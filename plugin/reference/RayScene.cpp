@@ -343,14 +343,6 @@ void RayScene::transmittance(const Ray* rays, size_t count, float* result) const
     }
 }
 
-Ray RayScene::leave(const SurfaceHit& hit, const glm::dvec3& direction)
-{
-    // Four units in the last place of what a single-precision ray and triangle are made of.
-    const double lift = hit.extent * 0x1p-21;
-    const double side = glm::dot(direction, hit.facet) < 0.0 ? -lift : lift;
-    return {hit.position + side * hit.facet, direction};
-}
-
 bool meetPlane(const TriangleMesh& mesh, const glm::uvec3& triangle, const Ray& ray, PlanePoint& point)
 {
     return Corners(mesh, triangle).meet(ray, point);

@@ -205,7 +205,12 @@ class ReferenceRun
                 continue;
             }
             const Reflection& surface = w.surfaces.emplace_back(hit, w.rays[i], colorAt(w.places[i], w.rays[i], hit));
-            for (size_t s = i; s < samples; s += looks) w.starts.push_back({&hit, &surface, &w.random[s]});
+            for (size_t s = i; s < samples; s += looks) {
+                LightTransport::Start& start = w.starts.emplace_back();
+                start.hit = &hit;
+                start.surface = &surface;
+                start.random = &w.random[s];
+            }
             if (_reference._lights) _transport.addLights(hit, surface, share, w.arrivals);
             addSurface(hit, surface, share, m);
         }
