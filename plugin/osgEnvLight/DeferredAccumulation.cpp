@@ -56,14 +56,22 @@ std::string describe(const Accumulation& a, const Settings& settings)
 
 }  // namespace
 
+Accumulation::Key DeferredTechnique::stillKey(Cull& c, osgUtil::CullVisitor& cv, const osg::Matrixd& worldFromEye)
+{
+    Accumulation::Key key;
+    key.view = worldFromEye;
+    key.projection = *cv.getProjectionMatrix();
+    key.mapFromWorld = c.mapFromWorld;
+    key.radianceScale = c.radianceScale;
+    key.settings = &c.settings;
+    key.textures = &c.view.textures();
+    key.surfaces = surfacesOf(*c.frame.gbufferStage, c.frame.fill->getStateSet());
+    return key;
+}
+
 void DeferredTechnique::advanceStillView(Cull& c, osgUtil::CullVisitor& cv, const osg::Matrixd& worldFromEye)
 {
     ViewData& v = c.view;
-    for (Plan::Reason& r : v.plan.reasons)
-        if (r.pass == "accumulate" && r.runs && !c.ownGBuffer) {
-            r = {r.pass, false, "what the application's own G-buffer shows may move unseen"};
-            v.plan.accumulate = false;
-        }
     if (!v.plan.accumulate) {
         v.dropAccumulation();
         for (const char* pass : {"still", "accumulate", "stillerror"}) v.dropTarget(pass);
@@ -74,16 +82,8 @@ void DeferredTechnique::advanceStillView(Cull& c, osgUtil::CullVisitor& cv, cons
         v.target("accumulate", {GL_RGBA32F_ARB, GL_R32F});
         v.target("stillerror", {GL_RGBA32F_ARB}, errorBlocks);
         Accumulation& a = v.accumulation();
-        const ShadowAtlas& sky = *v.atlas("atlas", v.plan.occlusionLights, unsigned(c.settings.atlasSize)).maps;
-        Accumulation::Key key;
-        key.view = worldFromEye;
-        key.projection = *cv.getProjectionMatrix();
-        key.mapFromWorld = c.mapFromWorld;
-        key.radianceScale = c.radianceScale;
-        key.settings = &c.settings;
-        key.textures = &v.textures();
-        key.surfaces = surfacesOf(*c.frame.gbufferStage, c.frame.fill->getStateSet());
-        a.advance(key, !sky.moved() && sky.waiting() == 0, v.textures().map());
+        const ShadowAtlas& sky = *skyAtlas(c).maps;
+        a.advance(stillKey(c, cv, worldFromEye), !sky.moved() && sky.waiting() == 0, v.textures().map());
         c.still = &a;
         c.frame.setUniforms(&a);
         if (a.adds()) v.atlas("accumulate", Accumulation::lightsPerFrame, a.mapSize());
@@ -108,7 +108,6 @@ void DeferredTechnique::addStillPicture(Cull& c, osgUtil::CullVisitor& cv)
 void DeferredTechnique::addAccumulation(Cull& c, osgUtil::CullVisitor& cv)
 {
     const Accumulation& a = *c.still;
-    const Plan& plan = c.view.plan;
     ViewData::Atlas& atlas = c.view.atlas("accumulate", Accumulation::lightsPerFrame, a.mapSize());
     atlas.maps->turn(a.frames());
     atlas.maps->setCasters(c.casters);
@@ -118,11 +117,7 @@ void DeferredTechnique::addAccumulation(Cull& c, osgUtil::CullVisitor& cv)
     PassInputs in = pictureInputs(c);
     in.adds = a.frames() > 1;
     in.samplers.push_back({"atlasMap", atlas.maps->texture()});
-    if (plan.surfaces.phong) in.defines.push_back("HAS_PHONG");
-    if (plan.surfaces.cookTorrance) {
-        in.defines.push_back("HAS_COOK_TORRANCE");
-        in.samplers.push_back({"albedoTable", albedoTable()});
-    }
+    addLobes(c, in);
     addPass(c, cv, "accumulate", average, passState(c, "accumulate", in), atlas.maps);
     if (measuresError(a.frames())) addStillError(c, cv, average);
 }

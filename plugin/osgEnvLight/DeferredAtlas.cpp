@@ -70,15 +70,19 @@ AtlasRefresh::States DeferredTechnique::atlasStates(Cull& c, const std::string& 
     return states;
 }
 
+ViewData::Atlas& DeferredTechnique::skyAtlas(Cull& c)
+{
+    return c.view.atlas("atlas", c.view.plan.occlusionLights, unsigned(c.settings.atlasSize));
+}
+
 void DeferredTechnique::addAtlas(Cull& c, osgUtil::CullVisitor& cv)
 {
-    const Plan& plan = c.view.plan;
-    if (!plan.atlas) {
+    if (!c.view.plan.atlas) {
         c.view.dropAtlas("atlas");
         _waitingMaps = 0;
         return;
     }
-    ViewData::Atlas& own = c.view.atlas("atlas", plan.occlusionLights, unsigned(c.settings.atlasSize));
+    ViewData::Atlas& own = skyAtlas(c);
     ShadowAtlas& atlas = *own.maps;
     atlas.setCasters(c.casters);
     const bool atOnce = c.settings.regeneration == Settings::IMMEDIATE ||

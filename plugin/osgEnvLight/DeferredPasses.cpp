@@ -137,11 +137,7 @@ void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
     if (specular) {
         PassInputs in;
         in.samplers = {{"pyramidMap", textures.pyramid()}, {"latlongMap", textures.latlong()}};
-        if (plan.surfaces.phong) in.defines.push_back("HAS_PHONG");
-        if (plan.surfaces.cookTorrance) {
-            in.defines.push_back("HAS_COOK_TORRANCE");
-            in.samplers.push_back({"albedoTable", albedoTable()});
-        }
+        addLobes(c, in);
         if (plan.suns) in.defines.push_back("HAS_SUNS");
         osg::StateSet& state = passState(c, "specular", in);
         if (plan.suns) addSuns(state, textures);
@@ -154,6 +150,15 @@ void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
     if (sums) addOcclusion(c, cv, *sums, *filtered);
     if (blocks) addBounce(c, cv, *blocks, *bounce);
     if (c.still) addStillPicture(c, cv);
+}
+
+// Those that are in view.
+void DeferredTechnique::addLobes(const Cull& c, PassInputs& inputs)
+{
+    if (c.view.plan.surfaces.phong) inputs.defines.push_back("HAS_PHONG");
+    if (!c.view.plan.surfaces.cookTorrance) return;
+    inputs.defines.push_back("HAS_COOK_TORRANCE");
+    inputs.samplers.push_back({"albedoTable", albedoTable()});
 }
 
 // What pass/terms.glsl reads.
@@ -200,7 +205,7 @@ void DeferredTechnique::addOcclusion(Cull& c, osgUtil::CullVisitor& cv, Target& 
     PassInputs in;
     ShadowAtlas* atlas = nullptr;
     if (plan.atlas) {
-        atlas = c.view.atlas("atlas", plan.occlusionLights, unsigned(c.settings.atlasSize)).maps.get();
+        atlas = skyAtlas(c).maps.get();
         in.defines.push_back("HAS_ATLAS");
         in.samplers = {{"atlasMap", atlas->texture()}};
     } else {

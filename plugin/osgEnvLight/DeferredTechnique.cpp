@@ -81,8 +81,8 @@ try {
 
     lock.lock();
     const DiffuseCarrier carrier = needed ? textures->carrier() : DiffuseCarrier();
-    vd.plan =
-        Plan::make(*settings, vd.plan.surfaces, radianceScale <= 0.0, radius, carrier, textures->sunShare(), c.casters.size());
+    vd.plan = Plan::make(*settings, vd.plan.surfaces, radianceScale <= 0.0, radius, carrier, textures->sunShare(),
+                         c.casters.size(), c.ownGBuffer);
     addAtlas(c, cv);
     advanceStillView(c, cv, worldFromEye);
     addPasses(c, cv);

@@ -16,7 +16,7 @@ struct Decision {
     bool runs = true;
     std::string reason;
 
-    Decision& unless(bool condition, const std::string& why)
+    Decision& unless(bool condition, const char* why)
     {
         if (condition && runs) {
             runs = false;
@@ -41,7 +41,7 @@ bool Plan::wantsAtlas(const Settings& s)
 }
 
 Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack, double sceneRadius,
-                const DiffuseCarrier& carrier, const SunShare& suns, size_t casters)
+                const DiffuseCarrier& carrier, const SunShare& suns, size_t casters, bool ownGBuffer)
 {
     Plan plan;
     plan.surfaces = surfaces;
@@ -116,8 +116,9 @@ Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack
 
     Decision accumulate;
     accumulate.unless(!s.accumulate, "switched off").unless(s.view != Settings::BEAUTY, "an intermediate is shown");
-    accumulate.unless(!atlas.runs,
-                      "without the atlas there is nothing to converge to: " + (atlas.runs ? std::string() : atlas.reason));
+    const std::string noAtlas = "without the atlas there is nothing to converge to: " + atlas.reason;
+    accumulate.unless(!atlas.runs, noAtlas.c_str());
+    accumulate.unless(!ownGBuffer, "what the application's own G-buffer shows may move unseen");
     plan.accumulate = accumulate.runs;
 
     plan.reasons = {{"gbuffer", true, count(surfaces.deferred, "drawables, ") + count(surfaces.forward, "drawn forward")},

@@ -142,8 +142,7 @@ const std::vector<Settings::Property>& Settings::table()
             "by the share of directions that a pixel does not see of the map"),
         onOff("accumulate", &S::accumulate,
               "while camera, scene and map stand still, average frames with fresh lights, shadow maps and sub-pixel offsets "
-              "until the "
-              "picture is that of exact direct light"),
+              "until the picture is that of exact direct light"),
         number("accumulateFrames", &S::accumulateFrames, 1, 65536, "frames",
                "frames of 16 lights that a still view averages before it rests"),
         number("accumulateSize", &S::accumulateSize, 16, 4096, "texels",

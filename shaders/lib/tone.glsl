@@ -3,10 +3,15 @@
 #ifndef TONE_GLSL
 #define TONE_GLSL
 
+float luminance(vec3 c)
+{
+    return dot(c, vec3(0.2126, 0.7152, 0.0722));
+}
+
 // Reinhard 2002, eq. 3, on luminance: keeps hue and saturation.
 vec3 toneReinhard(vec3 c)
 {
-    return c / (1.0 + dot(c, vec3(0.2126, 0.7152, 0.0722)));
+    return c / (1.0 + luminance(c));
 }
 
 // Khronos PBR Neutral 2024: colours below .76 pass with only the 4 % of Fresnel taken off, highlights bend to white.

@@ -10,6 +10,7 @@
 #include "lib/fresnel.glsl"
 #include "lib/ggx.glsl"
 #include "lib/phong.glsl"
+#include "lib/tone.glsl"
 #include "pass/albedo.glsl"
 #include "pass/atlas.glsl"
 #include "pass/picture.glsl"
@@ -39,9 +40,7 @@ Lobe lobeAt(ivec2 p, vec3 n)
     lobe.f0 = texelFetch(specularMap, p, 0).rgb;
     lobe.roughness = texelFetch(normalMap, p, 0).a;
     lobe.eyeFromLocal = frameAround(n);
-    lobe.v = transpose(lobe.eyeFromLocal) * -viewRay(inverseProjection, pixelNdc(p));
-    lobe.v.z = max(lobe.v.z, 1e-4);
-    lobe.v = normalize(lobe.v);
+    lobe.v = pixelView(p, lobe.eyeFromLocal);
     lobe.share = smoothstep(MIRROR_FADE.x, MIRROR_FADE.y, lobe.roughness * lobe.roughness);
     lobe.energy = vec3(1.0);
 #ifdef HAS_COOK_TORRANCE
@@ -102,7 +101,7 @@ void main()
     ivec2 p = ivec2(gl_FragCoord.xy);
     vec4 radiance = isBackground(p) ? pictureRadiance(p, mapFromEye * viewRay(inverseProjection, pixelNdc(p)))
                                     : vec4(surface(p), 1.0);
-    float luminance = dot(radiance.rgb, vec3(0.2126, 0.7152, 0.0722));
+    float light = luminance(radiance.rgb);
     sum = frameWeight * radiance;
-    square = frameWeight * luminance * luminance;
+    square = frameWeight * light * light;
 }

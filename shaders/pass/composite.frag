@@ -83,14 +83,7 @@ void main()
 #ifdef VIEW_TERM
     float pixel = length(dFdx(d));
 #endif
-#ifdef ACCUMULATED
-    vec4 average = texelFetch(accumulatedMap, p, 0) / accumulatedWeight;
-    vec4 picture = mix(texelFetch(stillMap, p, 0), average, accumulatedShare);
-#ifndef BACKGROUND
-    if (depth >= 1.0) discard;
-#endif
-    color = vec4(display(picture.rgb, p), picture.a);
-#elif defined(VIEW_TERM)
+#ifdef VIEW_TERM
     if (depth >= 1.0)
         color = vec4(view == VIEW_LIGHTS ? display(lightsView(d, pixel), p) : vec3(0.0), 0.0);
     else
@@ -99,7 +92,12 @@ void main()
 #ifndef BACKGROUND
     if (depth >= 1.0) discard;
 #endif
+#ifdef ACCUMULATED
+    vec4 average = texelFetch(accumulatedMap, p, 0) / accumulatedWeight;
+    vec4 picture = mix(texelFetch(stillMap, p, 0), average, accumulatedShare);
+#else
     vec4 picture = pictureRadiance(p, d);
+#endif
     color = vec4(display(picture.rgb, p), picture.a);
 #endif
 }

@@ -36,6 +36,14 @@ vec3 pixelNormal(ivec2 p)
     return normalize(texelFetch(normalMap, p, 0).xyz * 2.0 - 1.0);
 }
 
+// Unit vector to the eye, in a frame about the pixel's normal.
+vec3 pixelView(ivec2 p, mat3 eyeFromLocal)
+{
+    vec3 v = transpose(eyeFromLocal) * -viewRay(inverseProjection, pixelNdc(p));
+    v.z = max(v.z, 1e-4); // interpolated normals may lean away from the eye
+    return normalize(v);
+}
+
 int pixelBrdf(ivec2 p)
 {
     return int(texelFetch(specularMap, p, 0).a * 255.0 + 0.5);

@@ -115,9 +115,7 @@ void main()
     vec3 n = pixelNormal(p);
     float roughness = texelFetch(normalMap, p, 0).a;
     mat3 eyeFromLocal = frameAround(n);
-    vec3 v = transpose(eyeFromLocal) * -viewRay(inverseProjection, pixelNdc(p));
-    v.z = max(v.z, 1e-4); // interpolated normals may lean away from the eye
-    v = normalize(v);
+    vec3 v = pixelView(p, eyeFromLocal);
     mat3 mapFromLocal = mapFromEye * eyeFromLocal;
 #ifdef HAS_COOK_TORRANCE
     if (brdf == BRDF_COOK_TORRANCE) specular = vec4(cookTorrance(v, mapFromLocal, f0.rgb, roughness), 1.0);

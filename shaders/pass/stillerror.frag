@@ -3,6 +3,7 @@
 // First step to the standard error of a still view's average, from the spread of its frames: one texel for each block of the
 // picture. The lights of the frames are spread better than by chance, so that the true error is smaller.
 
+#include "lib/tone.glsl"
 #include "pass/gbuffer.glsl"
 
 uniform sampler2D accumulatedMap;
@@ -24,7 +25,7 @@ void main()
         for (int x = size.x * block.x / blocks; x < to.x; ++x) {
             ivec2 p = ivec2(x, y);
             if (isBackground(p)) continue;
-            float mean = dot(texelFetch(accumulatedMap, p, 0).rgb, vec3(0.2126, 0.7152, 0.0722)) / accumulatedWeight;
+            float mean = luminance(texelFetch(accumulatedMap, p, 0).rgb) / accumulatedWeight;
             float variance = max(texelFetch(squareMap, p, 0).r / accumulatedWeight - mean * mean, 0.0);
             sums += vec4(variance / max(accumulatedFrames - 1.0, 1.0), mean, 0.0, 1.0);
         }

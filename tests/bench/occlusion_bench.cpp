@@ -51,11 +51,9 @@ double leastTime(SceneRenderer& renderer, LitScene& lit)
 double wallError(SceneRenderer& renderer, LitScene& lit)
 {
     const Picture p = renderer.render(&lit);
-    const osg::Camera& camera = *renderer.viewer().getCamera();
     double error = 0.0;
     for (double a : {0.1, 0.5, 1.0}) {
-        const osg::Vec3d window = osg::Vec3d(0, -a, 0) * camera.getViewMatrix() * camera.getProjectionMatrix() *
-                                  osg::Matrixd::translate(1, 1, 1) * osg::Matrixd::scale(0.5 * size, 0.5 * size, 0.5);
+        const osg::Vec2d window = renderer.pixelOf(osg::Vec3d(0, -a, 0));
         double sum = 0.0;
         for (int x = size / 2 - 8; x < size / 2 + 8; ++x) sum += p.color(x, int(window.y()))[0] / 16.0;
         error += std::abs((1.0 - sum) / (0.5 * (1.0 - a / std::sqrt(a * a + 1.0))) - 1.0) / 3.0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The sky shadow atlas against closed forms.
+#include <Oracles.h>
 #include <SceneRenderer.h>
 
 #include <gtest/gtest.h>
@@ -22,11 +23,9 @@ osg::ref_ptr<LitScene> atlasScene()
 // Visibility along a stretch of a row through the picture of a world point: the mean of all cells' groups.
 double visibilityBeside(SceneRenderer& renderer, const Picture& p, const osg::Vec3d& point)
 {
-    const osg::Camera& camera = *renderer.viewer().getCamera();
-    const osg::Vec3d window = point * camera.getViewMatrix() * camera.getProjectionMatrix() * osg::Matrixd::translate(1, 1, 1) *
-                              osg::Matrixd::scale(0.5 * p.width, 0.5 * p.height, 0.5);
+    const int row = int(renderer.pixelOf(point).y());
     double sum = 0.0;
-    for (int x = p.width / 2 - 8; x < p.width / 2 + 8; ++x) sum += double(p.color(x, int(window.y()))[0]) / 16.0;
+    for (int x = p.width / 2 - 8; x < p.width / 2 + 8; ++x) sum += double(p.color(x, row)[0]) / 16.0;
     return sum;
 }
 
@@ -70,10 +69,8 @@ TEST(Atlas, WallWithinThreePercent)
         for (int i = 0; i < 3; ++i) occluded[i] += (1.0 - visibilityBeside(renderer, p, osg::Vec3d(0, -distances[i], 0))) / turns;
     }
     for (int i = 0; i < 3; ++i) {
-        // Form factor of an upright rectangle of height 1 and half length 8 at the foot of its middle.
-        const double a = distances[i], d = std::sqrt(a * a + 1.0);
-        const double expected = (std::atan(8.0 / a) - a / d * std::atan(8.0 / d)) / osg::PI;
-        EXPECT_NEAR(occluded[i] / expected, 1.0, 0.03) << "distance " << a;
+        const double expected = testmaths::oracle::verticalRectangle(distances[i], 8.0, 1.0);
+        EXPECT_NEAR(occluded[i] / expected, 1.0, 0.03) << "distance " << distances[i];
     }
 }
 

@@ -35,9 +35,7 @@ void lookAtWall(SceneRenderer& renderer)
 // Of the ground at distance a from the wall, over its closed form [systems.md 1.7].
 double occlusionRatio(SceneRenderer& renderer, const Picture& p, double a)
 {
-    const osg::Camera& camera = *renderer.viewer().getCamera();
-    const osg::Vec3d window = osg::Vec3d(0, -a, 0) * camera.getViewMatrix() * camera.getProjectionMatrix() *
-                              osg::Matrixd::translate(1, 1, 1) * osg::Matrixd::scale(0.5 * p.width, 0.5 * p.height, 0.5);
+    const osg::Vec2d window = renderer.pixelOf(osg::Vec3d(0, -a, 0));
     double sum = 0.0;  // over a stretch along the wall: the mean of all cells' groups
     for (int x = int(window.x()) - 8; x < int(window.x()) + 8; ++x) sum += p.color(x, int(window.y()))[0] / 16.0;
     return (1.0 - sum) / (0.5 * (1.0 - a / std::sqrt(a * a + 1.0)));

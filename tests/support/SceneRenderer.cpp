@@ -49,6 +49,14 @@ void SceneRenderer::lookAt(const osg::Vec3d& eye, const osg::Vec3d& target, cons
     _viewer.getCamera()->setViewMatrixAsLookAt(eye, target, up);
 }
 
+osg::Vec2d SceneRenderer::pixelOf(const osg::Vec3d& point) const
+{
+    const osg::Camera& camera = *_viewer.getCamera();
+    const osg::Vec3d window = point * camera.getViewMatrix() * camera.getProjectionMatrix() * osg::Matrixd::translate(1, 1, 1) *
+                              osg::Matrixd::scale(0.5 * _width, 0.5 * _height, 0.5);
+    return osg::Vec2d(window.x(), window.y());
+}
+
 Picture SceneRenderer::render(osg::Node* scene, int frames)
 {
     if (_viewer.getSceneData() != scene) _viewer.setSceneData(scene);

@@ -37,6 +37,8 @@ class SceneRenderer
     std::vector<double> time(osg::Node* scene, int frames);
 
     void lookAt(const osg::Vec3d& eye, const osg::Vec3d& target, const osg::Vec3d& up = osg::Vec3d(0, 0, 1), double fovy = 40.0);
+    /** Where a point of the world lies in the picture, in pixels from the lower left corner. */
+    osg::Vec2d pixelOf(const osg::Vec3d& point) const;
     osgViewer::Viewer& viewer() { return _viewer; }
     osg::State& state() { return *_window->getState(); }
 
