@@ -33,10 +33,14 @@ std::string cost(const Point& p)
 std::string prospects(const Report& report, const Point& usual)
 {
     std::string text;
-    if (const Choice fast = mostExactWithin(report.points, 0.5 * usual.frame.median))
-        text += "; twice as fast costs " + errorText(report.points[*fast].beauty);
-    else
+    if (const Choice fast = mostExactWithin(report.points, 0.5 * usual.frame.median)) {
+        const Figures& error = report.points[*fast].beauty;
+        text += error.error() > usual.beauty.error()
+                    ? "; in half the time the error is " + errorText(error)
+                    : "; half the time is to be had without more error, by " + nameOf(report.points[*fast]);
+    } else {
         text += "; nothing measured is twice as fast";
+    }
     if (!usual.beauty.resolved || !(usual.beauty.error() > 0.0)) return text;
     if (const Choice exact = cheapestWithin(report.points, 0.5 * usual.beauty.error()))
         text += "; half the error costs " + milliseconds(report.points[*exact].frame.median);

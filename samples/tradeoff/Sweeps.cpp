@@ -88,6 +88,26 @@ void addSweep(const std::string& name, const std::vector<std::string>& values, c
     }
 }
 
+// Of n in a row: the ends, the middle, the middles of the halves, ...
+std::vector<size_t> coarseToFine(size_t n)
+{
+    std::vector<size_t> order;
+    if (n == 0) return order;
+    order.push_back(0);
+    if (n == 1) return order;
+    order.push_back(n - 1);
+    std::vector<std::pair<size_t, size_t>> gaps = {{0, n - 1}};
+    for (size_t i = 0; i < gaps.size(); ++i) {
+        const auto [low, high] = gaps[i];
+        if (high - low < 2) continue;
+        const size_t middle = (low + high) / 2;
+        order.push_back(middle);
+        gaps.emplace_back(low, middle);
+        gaps.emplace_back(middle, high);
+    }
+    return order;
+}
+
 }  // namespace
 
 std::pair<std::string, std::vector<std::string>> parseSweep(const std::string& text)
@@ -137,6 +157,27 @@ std::vector<Candidate> candidates(const Selection& selection)
         if (!found && !isKnob(name)) throw std::invalid_argument("--only: no preset and no sweep is named '" + name + "'");
     }
     return result;
+}
+
+std::vector<size_t> measuringOrder(const std::vector<Candidate>& all)
+{
+    std::vector<size_t> order;
+    std::vector<std::vector<size_t>> sweeps;
+    size_t rounds = 0;
+    for (size_t from = 0, to = 0; from < all.size(); from = to) {
+        while (to < all.size() && all[to].sweep == all[from].sweep) ++to;
+        if (all[from].sweep == "preset") {
+            for (size_t i = from; i < to; ++i) order.push_back(i);
+            continue;
+        }
+        sweeps.push_back(coarseToFine(to - from));
+        for (size_t& i : sweeps.back()) i += from;
+        rounds = std::max(rounds, to - from);
+    }
+    for (size_t round = 0; round < rounds; ++round)
+        for (const std::vector<size_t>& sweep : sweeps)
+            if (round < sweep.size()) order.push_back(sweep[round]);
+    return order;
 }
 
 void apply(const Candidate& candidate, const Settings& base, Settings& settings, Texts& changed)

@@ -30,9 +30,12 @@ struct Selection {
 };
 
 /** The defaults, the other presets, the default sweeps, then those asked for; with `only`, the defaults and what it names, in its
- * order. Throws std::invalid_argument with a message for
- * the user where a name or a value does not exist.*/
+ * order. Throws std::invalid_argument with a message for the user where a name or a value does not exist. */
 std::vector<Candidate> candidates(const Selection& selection);
+
+/** In which order to measure them, as indices: the presets, then the sweeps in turn, each its ends before what is between, so
+ * that what is cut short leaves something of every sweep. Those of one sweep stand together. */
+std::vector<size_t> measuringOrder(const std::vector<Candidate>& all);
 
 /** base with the candidate's settings; changed receives those that differ from base. */
 void apply(const Candidate& candidate, const osgEnvLight::Settings& base, osgEnvLight::Settings& settings, Texts& changed);

@@ -102,32 +102,42 @@ void printAnswers(const Report& report)
     }
 }
 
-// Up to the deadline; what is left then is named in the report.
+// What is shown of the default settings beside their figures.
+void keepPictures(const Measurement& measurement, const Truth& truth, Report& report)
+{
+    report.ours = measurement.pictures().beauty;
+    report.reference = truth[osgEnvLight::Layer::BEAUTY];
+    // Where both differ widely, neither is to be all black or white.
+    report.exposure = 0.5 * (truth.exposure + osgEnvLight::automaticExposure(report.ours, truth.mask));
+    report.pictures = attribute(measurement.pictures(), truth);
+}
+
+// Up to the deadline; what is left then is named in the report, which has them in the order of the candidates.
 void measureAll(const std::vector<Candidate>& all, Measurement& measurement, const Truth& truth, Report& report, ProgressBar& bar,
                 double done, Clock::time_point deadline)
 {
-    for (size_t i = 0; i < all.size() && !interrupted; ++i) {
-        if (i > 0 && Clock::now() > deadline) {
-            report.notes.push_back("The time was up after " + std::to_string(i) + " of " + std::to_string(all.size()) +
-                                   " settings; a smaller --size or fewer settings by --sweep fit into it.");
-            return;
-        }
-        const Candidate& c = all[i];
-        bar.show(done + (1.0 - done) * double(i) / double(all.size()), c.sweep + " " + c.value);
+    const std::vector<size_t> order = measuringOrder(all);
+    std::vector<Point> points;
+    while (points.size() < all.size() && !interrupted && (points.empty() || Clock::now() < deadline)) {
+        const Candidate& c = all[order[points.size()]];
+        bar.show(done + (1.0 - done) * double(points.size()) / double(all.size()), c.sweep + " " + c.value);
         Point point;
-        if (!repeats(c, measurement.settings(), report.points, point)) point = measurement.measure(c);
-        report.points.push_back(point);
-        if (i > 0 || point.failed) continue;
-        report.ours = measurement.pictures().beauty;
-        report.reference = truth[osgEnvLight::Layer::BEAUTY];
-        // Where both differ widely, neither is to be all black or white.
-        report.exposure = 0.5 * (truth.exposure + osgEnvLight::automaticExposure(report.ours, truth.mask));
-        report.pictures = attribute(measurement.pictures(), truth);
+        if (!repeats(c, measurement.settings(), points, point)) point = measurement.measure(c);
+        points.push_back(point);
+        if (points.size() == 1 && !point.failed) keepPictures(measurement, truth, report);
     }
-    if (!interrupted) return;
-    report.interrupted = true;
-    report.interruption =
-        "Interrupted after " + std::to_string(report.points.size()) + " of " + std::to_string(all.size()) + " settings.";
+    std::vector<const Point*> byCandidate(all.size(), nullptr);
+    for (size_t i = 0; i < points.size(); ++i) byCandidate[order[i]] = &points[i];
+    for (const Point* point : byCandidate)
+        if (point) report.points.push_back(*point);
+
+    const std::string share = std::to_string(points.size()) + " of " + std::to_string(all.size()) + " settings";
+    if (interrupted) {
+        report.interrupted = true;
+        report.interruption = "Interrupted after " + share + ".";
+    } else if (points.size() < all.size()) {
+        report.notes.push_back("The time was up after " + share + "; a smaller --size or fewer settings by --sweep fit into it.");
+    }
 }
 
 int run(Arguments& a)

@@ -234,8 +234,8 @@ TEST_F(ReportPage, AllPicturesAreShown)
 TEST_F(ReportPage, TheEssentialSentence)
 {
     EXPECT_EQ(
-        "Default settings: 510\u00a0ms a frame, 2.5\u00a0% error (tone-mapped RMSE); twice as fast costs 4.9\u00a0%; half the "
-        "error costs 7828\u00a0ms.",
+        "Default settings: 510\u00a0ms a frame, 2.5\u00a0% error (tone-mapped RMSE); in half the time the error is 4.9\u00a0%; "
+        "half the error costs 7828\u00a0ms.",
         page("normal")["heading"]);
     EXPECT_EQ("Nothing could be measured.", page("empty")["heading"]);
     EXPECT_NE(std::string::npos, page("one")["heading"].get<std::string>().find("nothing measured is twice as fast"));

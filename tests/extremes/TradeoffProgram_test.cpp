@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -241,4 +242,23 @@ TEST(Sweeps, EveryDefaultIsASettingsValue)
     const std::vector<tradeoff::Candidate> few = tradeoff::candidates(quick);
     EXPECT_LT(few.size(), tradeoff::candidates(all).size() / 2);
     for (const tradeoff::Candidate& c : few) EXPECT_NE(c.sweep, "specularSamples");
+}
+
+TEST(Sweeps, AreMeasuredInTurnFromTheirEnds)
+{
+    std::vector<tradeoff::Candidate> all;
+    for (const char* value : {"default", "fine"}) all.push_back({"preset", value, 0.0, {}});
+    for (const char* value : {"1", "2", "4", "8", "16"}) all.push_back({"nearTaps", value, 0.0, {}});
+    for (const char* value : {"3", "6"}) all.push_back({"nearRadius", value, 0.0, {}});
+    std::string order;
+    for (size_t i : tradeoff::measuringOrder(all)) order += all[i].value + " ";
+    EXPECT_EQ(order, "default fine 1 3 16 6 4 2 8 ");
+    EXPECT_TRUE(tradeoff::measuringOrder({}).empty());
+
+    // None is left out, none is measured twice.
+    const std::vector<tradeoff::Candidate> full = tradeoff::candidates(tradeoff::Selection());
+    std::vector<size_t> sorted = tradeoff::measuringOrder(full);
+    std::sort(sorted.begin(), sorted.end());
+    ASSERT_EQ(sorted.size(), full.size());
+    for (size_t i = 0; i < sorted.size(); ++i) EXPECT_EQ(sorted[i], i);
 }
