@@ -15,34 +15,45 @@ namespace osgEnvLight
 namespace
 {
 
-void setUniform(osg::State& state, const char* name, int x, int y)
+GLint locationOf(osg::State& state, const char* name)
 {
     const osg::Program::PerContextProgram* program = state.getLastAppliedProgramObject();
-    const GLint location = program ? program->getUniformLocation(name) : -1;
+    return program ? program->getUniformLocation(name) : -1;
+}
+
+void setUniform(osg::State& state, const char* name, int x, int y)
+{
+    const GLint location = locationOf(state, name);
     if (location >= 0) state.get<osg::GLExtensions>()->glUniform2i(location, x, y);
+}
+
+void setUniform(osg::State& state, const char* name, float x)
+{
+    const GLint location = locationOf(state, name);
+    if (location >= 0) state.get<osg::GLExtensions>()->glUniform1f(location, x);
 }
 
 }  // namespace
 
-AtlasRefresh::AtlasRefresh(GpuTimer* timer) : _timer(timer), _triangle(makeFullScreenTriangle())
+AtlasRefresh::AtlasRefresh(const std::string& name, GpuTimer* timer) : _timer(timer), _triangle(makeFullScreenTriangle())
 {
-    setName("atlas");
+    setName(name);
     setUseDisplayList(false);
     setSupportsDisplayList(false);
     setCullingActive(false);
 }
 
-void AtlasRefresh::prepare(ShadowAtlas& atlas, const std::vector<ShadowAtlas::Refresh>& refreshes, std::vector<Caster>&& casters,
-                           const States& states, bool timed)
+void AtlasRefresh::prepare(const ShadowTargets& targets, const std::vector<ShadowRefresh>& refreshes,
+                           std::vector<Caster>&& casters, const States& states, bool timed)
 {
-    _atlas = &atlas;
+    _targets = targets;
     _states = states;
     _timed = timed;
     _maps.clear();
-    for (const ShadowAtlas::Refresh& r : refreshes) _maps.push_back({r.map, new osg::RefMatrix(r.projection)});
+    for (const ShadowRefresh& r : refreshes) _maps.push_back({r.map, new osg::RefMatrix(r.projection), r.texel});
     std::stable_sort(casters.begin(), casters.end(), [](const Caster& a, const Caster& b) { return a.state < b.state; });
     _casters.clear();
-    const osg::Matrixd toOrigin = osg::Matrixd::translate(-atlas.origin());
+    const osg::Matrixd toOrigin = osg::Matrixd::translate(-targets.origin);
     bool dynamic = false;
     for (const Caster& caster : casters) {
         _casters.push_back({caster.geometry, new osg::RefMatrix(caster.worldFromModel * toOrigin), caster.state});
@@ -56,10 +67,10 @@ void AtlasRefresh::drawImplementation(osg::RenderInfo& renderInfo) const
 {
     osg::State& state = *renderInfo.getState();
     if (_timed) _timer->begin(state);
-    for (size_t begin = 0; begin < _maps.size(); begin += _atlas->batch) {
-        const size_t end = std::min<size_t>(begin + _atlas->batch, _maps.size());
-        drawCasters(renderInfo, *_atlas->firstTarget(), *_states.first, begin, end);
-        drawCasters(renderInfo, *_atlas->secondTarget(), *_states.second, begin, end);
+    for (size_t begin = 0; begin < _maps.size(); begin += _targets.batch) {
+        const size_t end = std::min<size_t>(begin + _targets.batch, _maps.size());
+        drawCasters(renderInfo, *_targets.first, *_states.first, begin, end);
+        drawCasters(renderInfo, *_targets.second, *_states.second, begin, end);
         storeMidpoints(renderInfo, begin, end);
     }
     if (_timed) _timer->end(state);
@@ -92,7 +103,7 @@ void AtlasRefresh::drawRun(osg::RenderInfo& renderInfo, size_t caster, size_t ca
 {
     osg::State& state = *renderInfo.getState();
     if (!state.getLastAppliedProgramObject()) return;  // it has reported why
-    const GLsizei size = GLsizei(_atlas->size);
+    const GLsizei size = GLsizei(_targets.size);
     for (size_t k = begin; k < end; ++k) {
         glViewport(GLint(k - begin) * size, 0, size, size);
         setUniform(state, "atlasMapIndex", int(_maps[k].index), 0);
@@ -108,15 +119,16 @@ void AtlasRefresh::drawRun(osg::RenderInfo& renderInfo, size_t caster, size_t ca
 void AtlasRefresh::storeMidpoints(osg::RenderInfo& renderInfo, size_t begin, size_t end) const
 {
     osg::State& state = *renderInfo.getState();
-    bindFrameBuffer(state, *_atlas->target());
+    bindFrameBuffer(state, *_targets.maps);
     state.pushStateSet(_states.midpoints.get());
     state.apply();
-    const int size = int(_atlas->size);
+    const int size = int(_targets.size);
     for (size_t k = begin; state.getLastAppliedProgramObject() && k < end; ++k) {
-        const int x = int(_maps[k].index % _atlas->columns()) * size;
-        const int y = int(_maps[k].index / _atlas->columns()) * size;
+        const int x = int(_maps[k].index % _targets.columns) * size;
+        const int y = int(_maps[k].index / _targets.columns) * size;
         glViewport(x, y, size, size);
         setUniform(state, "batchFromAtlas", int(k - begin) * size - x, -y);
+        setUniform(state, "mapTexel", _maps[k].texel);
         _triangle->draw(renderInfo);
     }
     state.popStateSet();

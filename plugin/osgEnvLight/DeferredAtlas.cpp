@@ -98,12 +98,12 @@ void DeferredTechnique::refreshAtlas(Cull& c, osgUtil::CullVisitor& cv, const st
                                      const LightList& list, unsigned budget)
 {
     ShadowAtlas& atlas = *own.maps;
-    const std::vector<ShadowAtlas::Refresh> refreshes = atlas.update(inWorld(list, c.mapFromWorld, atlas.lights), budget);
+    const std::vector<ShadowRefresh> refreshes = atlas.update(inWorld(list, c.mapFromWorld, atlas.lights), budget);
     if (refreshes.empty()) return;
     Frame& f = c.frame;
     osg::ref_ptr<AtlasRefresh>& refresh = f.atlasRefreshes[name];
-    if (!refresh) refresh = new AtlasRefresh(&c.view.timer(name));
-    refresh->prepare(atlas, refreshes, atlas.drawn(), atlasStates(c, name, atlas), c.timed);
+    if (!refresh) refresh = new AtlasRefresh(name, &c.view.timer(name));
+    refresh->prepare(atlas.targets(), refreshes, atlas.drawn(), atlasStates(c, name, atlas), c.timed);
     osg::ref_ptr<Pass>& pass = f.passes[name];
     if (!pass) pass = new Pass(refresh.get());
     pass->add(c.host, *own.camera, *c.view.viewport(), c.view.state(name).stateSet, *f.uniforms, cv.getProjectionMatrix(),

@@ -149,7 +149,7 @@ std::vector<Caster> ShadowAtlas::drawn()
     return result;
 }
 
-std::vector<ShadowAtlas::Refresh> ShadowAtlas::update(const LightList& list, unsigned budget)
+std::vector<ShadowRefresh> ShadowAtlas::update(const LightList& list, unsigned budget)
 {
     if (_lost.exchange(false))
         for (Map& map : _maps) map.drawn = false;
@@ -166,7 +166,7 @@ std::vector<ShadowAtlas::Refresh> ShadowAtlas::update(const LightList& list, uns
     const size_t count = _box.valid() ? std::min<size_t>(budget, wanted.size()) : 0;
     _waiting = unsigned(wanted.size() - count);
     std::partial_sort(wanted.begin(), wanted.begin() + std::ptrdiff_t(count), wanted.end());
-    std::vector<Refresh> refreshes;
+    std::vector<ShadowRefresh> refreshes;
     for (size_t k = 0; k < count; ++k) {
         Map& map = _maps[wanted[k].second];
         place(map, wanted[k].second, list[wanted[k].second].direction);
