@@ -98,6 +98,7 @@ inline vec4 textureLod(const sampler2D& s, vec2 st, double)
 #include "lib/sh.glsl"
 #include "lib/slices.glsl"
 #include "lib/sun.glsl"
+#include "lib/sunshadow.glsl"
 #include "lib/tone.glsl"
 #include "lib/visibility.glsl"
 #undef float

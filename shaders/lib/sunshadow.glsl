@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// How much of a sun's disc a point sees: rays to points of the disc, traced through a height map that looks along the sun's
+// direction. Positions are in texels of the map, which may be longer one way than the other; z, towards the sun, in lengths of
+// the shorter side. A ray gains its unit of height over less than a tenth of that across.
+#ifndef SUNSHADOW_GLSL
+#define SUNSHADOW_GLSL
+
+#include "lib/sequence.glsl"
+
+// Surfaces that rise by no more than this from a texel to the next are one.
+#define SUN_STEEP 6.0
+
+// One of a sun's maps, in a texture of several. A texel holds the height of the first surface from the sun and the one
+// half-way to the second, both from 0 to 1.
+struct SunMap {
+    ivec2 corner;
+    int size;
+    float heights;     // z from height 0 to height 1
+    float longer;      // side of a texel, the shorter being 1
+    ivec2 wholeCorner; // of the map that shows the whole scene, which serves beyond this one
+    vec2 toWhole;      // xy there = toWhole times xy here + wholeOffset
+    vec2 wholeOffset;
+};
+
+// The point that looks, on a surface whose plane rises by gradient.
+struct SunReceiver {
+    vec3 point;
+    vec2 gradient;
+    float slack; // what lies no higher above the plane is the surface itself
+    float body;  // and above this, something else, wherever its middle may be
+};
+
+// Ray k of count to the unit disc: count of a pixel in a ring of sectors, all radii among them; the 16 groups of a cell lie
+// between each other. Another seed turns and shifts the set, evenly over the disc in the long run.
+vec2 sunDiscPoint(int k, int count, int group, int seed)
+{
+    float turn = fract((float(group) + 0.5) / 16.0 + float(seed) * 0.61803399);
+    float shift = fract((float(group / 4) + 0.5) / 4.0 + float(group) / 64.0 + float(seed) * 0.75487767);
+    int ring = (int(radicalInverse(uint(k)) * float(count)) + group) % count;
+    float radius = sqrt((float(ring) + shift) / float(count));
+    float angle = 6.28318531 * (float(k) + turn) / float(count);
+    return radius * vec2(cos(angle), sin(angle));
+}
+
+// Where within a texel that ray starts: the maps' texels leave no steps.
+vec2 sunTexelPoint(int k, int group, int seed)
+{
+    float x = float(k) * 0.75487767 + float(group) * 0.56984029 + float(seed) * 0.61803399;
+    float y = float(k) * 0.56984029 + float(group) * 0.75487767 + float(seed) * 0.75487767;
+    return vec2(fract(x + 0.5), fract(y + 0.5)) - 0.5;
+}
+
+bool sunWithin(SunMap m, vec2 xy)
+{
+    return min(xy.x, xy.y) >= 0.0 && max(xy.x, xy.y) < float(m.size);
+}
+
+// Heights of the first surface and of the middle at xy, and the centre of their texel.
+vec4 sunSurface(sampler2D sunMaps, SunMap m, vec2 xy)
+{
+    vec2 cell = floor(xy);
+    ivec2 corner = m.corner;
+    vec2 centre = cell + 0.5;
+    if (!sunWithin(m, xy)) {
+        cell = floor(xy * m.toWhole + m.wholeOffset);
+        corner = m.wholeCorner;
+        centre = (cell + 0.5 - m.wholeOffset) / m.toWhole;
+        if (!sunWithin(m, cell)) return vec4(-1.0, -1.0, centre);
+    }
+    vec4 heights = texelFetch(sunMaps, corner + ivec2(cell), 0) * m.heights;
+    return vec4(heights.x, heights.y, centre);
+}
+
+// Whether a texel's surface is another than the receiver's own.
+bool sunHides(SunReceiver r, vec4 surface)
+{
+    float plane = r.point.z + dot(r.gradient, vec2(surface.z, surface.w) - vec2(r.point)) + r.slack;
+    return surface.x > plane && (surface.y > plane || surface.x > plane + r.body);
+}
+
+// The height above the receiver, between low and high, at which the ray meets the surface that has this height near by: on
+// the ray at its height, and once more where the surface has another there; texels of a slope are steps. Negative where it
+// passes.
+float sunMeets(sampler2D sunMaps, SunMap m, SunReceiver r, vec2 xy, vec2 slope, float low, float high, vec4 surface)
+{
+    float height = surface.x - r.point.z;
+    float across = length(slope) * min(height - low, high - height);
+    for (int i = 0; i < 2; ++i) {
+        if (height <= low || height > high || !sunHides(r, surface)) return -1.0;
+        vec2 there = xy + slope * height;
+        surface = sunSurface(sunMaps, m, there);
+        float next = surface.x - r.point.z;
+        // Beyond the map texels are as wide as the whole scene's.
+        float grain = sunWithin(m, there) ? across : max(across, max(1.0 / m.toWhole.x, 1.0 / m.toWhole.y));
+        if (abs(next - height) <= SUN_STEEP * m.longer * (1.0 + grain)) return height;
+        across = length(slope) * abs(next - height);
+        height = next;
+    }
+    return -1.0;
+}
+
+// How high above the receiver a ray from xy that moves by slope for each unit of height is blocked; negative where it is not.
+// The ray is followed over intervals each longer than the last, so that thin things are missed only where the disc is much
+// wider than they. A surface found at either end of one counts if the ray meets it at its own height: a sheet's edge is
+// where it is, whatever the intervals, and what passes beneath it goes on.
+float sunBlocker(sampler2D sunMaps, SunMap m, SunReceiver r, vec2 xy, vec2 slope)
+{
+    float reach = m.heights - r.point.z;
+    if (reach <= 0.0) return -1.0;
+    float across = length(slope) * reach;
+    int steps = across > 1.0 ? 1 + int(min(ceil(log(across) / log(1.6)), 12.0)) : 1;
+    float growth = steps > 1 ? pow(across, 1.0 / float(steps - 1)) : 1.0;
+    float low = 0.0;
+    float high = steps > 1 ? reach / across : reach;
+    vec4 surface = sunSurface(sunMaps, m, xy);
+    for (int i = 0; i < steps; ++i) {
+        float height = sunMeets(sunMaps, m, r, xy, slope, low, high, surface);
+        if (height > 0.0) return height;
+        surface = sunSurface(sunMaps, m, xy + slope * high);
+        height = sunMeets(sunMaps, m, r, xy, slope, low, high, surface);
+        if (height > 0.0) return height;
+        low = high;
+        high *= growth;
+    }
+    return -1.0;
+}
+
+#endif
