@@ -118,7 +118,7 @@ void DeferredTechnique::addAccumulation(Cull& c, osgUtil::CullVisitor& cv)
     in.adds = a.frames() > 1;
     in.samplers.push_back({"atlasMap", atlas.maps->texture()});
     addLobes(c, in);
-    addPass(c, cv, "accumulate", average, passState(c, "accumulate", in), atlas.maps);
+    addPass(c, cv, "accumulate", average, passState(c, "accumulate", in), placesOf(c, *atlas.maps));
     if (measuresError(a.frames())) addStillError(c, cv, average);
 }
 

@@ -75,6 +75,11 @@ ViewData::Atlas& DeferredTechnique::skyAtlas(Cull& c)
     return c.view.atlas("atlas", c.view.plan.occlusionLights, unsigned(c.settings.atlasSize));
 }
 
+DeferredTechnique::ShadowPlaces DeferredTechnique::placesOf(Cull& c, const ShadowAtlas& atlas)
+{
+    return {&c.frame.atlasState(atlas, 1.0 / c.view.textures().map().mean), atlas.origin()};
+}
+
 void DeferredTechnique::addAtlas(Cull& c, osgUtil::CullVisitor& cv)
 {
     if (!c.view.plan.atlas) {

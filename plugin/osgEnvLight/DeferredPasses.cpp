@@ -84,15 +84,15 @@ void DeferredTechnique::prepare(FullScreen& triangle, const osg::StateSet& state
 }
 
 void DeferredTechnique::addPass(Cull& c, osgUtil::CullVisitor& cv, const std::string& name, Target& target, osg::StateSet& state,
-                                const ShadowAtlas* atlas)
+                                const ShadowPlaces& places)
 {
     osg::ref_ptr<Pass>& pass = c.frame.passes[name];
     if (!pass) pass = new Pass(new FullScreen(name, &c.view.timer(name)));
     auto& triangle = static_cast<FullScreen&>(pass->drawable());
     prepare(triangle, state, c);
-    if (atlas) triangle.atlasOrigin = atlas->origin();
-    osg::StateSet& frameState = atlas ? c.frame.atlasState(*atlas, 1.0 / c.view.textures().map().mean) : *c.frame.uniforms;
-    pass->add(c.host, *target.camera, *target.viewport, state, frameState, cv.getProjectionMatrix(), cv.getModelViewMatrix());
+    triangle.atlasOrigin = places.origin;
+    pass->add(c.host, *target.camera, *target.viewport, state, places.uniforms ? *places.uniforms : *c.frame.uniforms,
+              cv.getProjectionMatrix(), cv.getModelViewMatrix());
 }
 
 void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
@@ -103,8 +103,12 @@ void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
     MapTextures& textures = c.view.textures();
     const std::vector<GLint> half = {GL_RGBA16F_ARB};
     // All targets first: a new one forgets the state sets that read its predecessor.
-    const std::vector<GLint> two = {GL_RGBA16F_ARB, GL_RGBA16F_ARB};
-    Target* diffuse = plan.diffuse ? &c.view.target("diffuse", plan.sunDiffuse ? two : half) : nullptr;
+    const auto halves = [](size_t count) { return std::vector<GLint>(count, GL_RGBA16F_ARB); };
+    const std::vector<GLint> two = halves(2);
+    Target* seen = plan.sunShadows ? &c.view.target("sunshadow", halves((plan.suns + 1) / 2)) : nullptr;
+    Target* visibility = plan.sunShadows ? &c.view.target("sunfilter", halves((plan.suns + 3) / 4)) : nullptr;
+    const size_t diffuseTargets = !plan.sunDiffuse ? 1 : plan.sunShadows ? 3 : 2;
+    Target* diffuse = plan.diffuse ? &c.view.target("diffuse", halves(diffuseTargets)) : nullptr;
     // A mirrored sun exceeds half floats in units of the map's mean.
     Target* specular = plan.specular ? &c.view.target("specular", {GL_RGBA32F_ARB}) : nullptr;
     Target* sums = plan.occlusion ? &c.view.target("occlusion", two) : nullptr;
@@ -117,6 +121,7 @@ void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
         if (!r.runs) c.view.dropTarget(r.pass);
     if (!plan.bounce) c.view.dropTarget("bouncesum");
 
+    if (c.shadesSuns()) addSunShadows(c, cv, *seen, *visibility);
     if (diffuse) {
         PassInputs in;
         in.lights = plan.diffuseLights;
@@ -129,6 +134,7 @@ void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
             in.samplers.push_back({"albedoTable", albedoTable()});
         }
         if (plan.sunDiffuse) in.defines.push_back("HAS_SUNS");
+        if (plan.sunDiffuse && c.shadesSuns()) addSunVisibility(c, in);
         osg::StateSet& state = passState(c, "diffuse", in);
         if (plan.sunDiffuse) addSuns(state, textures);
         if (!plan.diffuseLights) state.addUniform(textures.harmonics());
@@ -139,6 +145,7 @@ void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
         in.samplers = {{"pyramidMap", textures.pyramid()}, {"latlongMap", textures.latlong()}};
         addLobes(c, in);
         if (plan.suns) in.defines.push_back("HAS_SUNS");
+        if (c.shadesSuns()) addSunVisibility(c, in);
         osg::StateSet& state = passState(c, "specular", in);
         if (plan.suns) addSuns(state, textures);
         addPass(c, cv, "specular", *specular, state);
@@ -174,6 +181,10 @@ DeferredTechnique::PassInputs DeferredTechnique::diffuseTerms(Cull& c)
     if (plan.diffuse && plan.sunDiffuse) {
         in.defines.push_back("HAS_SUNS");
         in.samplers.push_back({"sunDiffuseMap", c.view.target("diffuse", {}).textures[1].get()});
+        if (c.shadesSuns()) {
+            in.defines.push_back("HAS_SUN_SHADOWS");
+            in.samplers.push_back({"sunShadedMap", c.view.target("diffuse", {}).textures[2].get()});
+        }
     }
     if (plan.occlusion) {
         in.defines.push_back("HAS_OCCLUSION");
@@ -203,18 +214,19 @@ void DeferredTechnique::addOcclusion(Cull& c, osgUtil::CullVisitor& cv, Target& 
     const Plan& plan = c.view.plan;
     MapTextures& textures = c.view.textures();
     PassInputs in;
-    ShadowAtlas* atlas = nullptr;
+    ShadowPlaces places;
     if (plan.atlas) {
-        atlas = skyAtlas(c).maps.get();
+        ShadowAtlas& atlas = *skyAtlas(c).maps;
+        places = placesOf(c, atlas);
         in.defines.push_back("HAS_ATLAS");
-        in.samplers = {{"atlasMap", atlas->texture()}};
+        in.samplers = {{"atlasMap", atlas.texture()}};
     } else {
         in.lights = plan.occlusionLights;
         in.samplers = {{"occlusionLightMap", textures.occlusionLights(plan.occlusionLights)}};
     }
     const bool rays = !plan.atlas && c.settings.occlusionMethod == Settings::RAY;
     if (plan.screen) in.defines.push_back(rays ? "OCCLUSION_RAYS" : "OCCLUSION_SLICES");
-    addPass(c, cv, "occlusion", sums, passState(c, "occlusion", in), atlas);
+    addPass(c, cv, "occlusion", sums, passState(c, "occlusion", in), places);
     PassInputs filter;
     if (c.settings.combine == Settings::SUBTRACT) filter.defines.push_back("COMBINE_SUBTRACT");
     filter.samplers = {{"numMap", sums.textures[0].get()}, {"denMap", sums.textures[1].get()}};

@@ -71,13 +71,15 @@ try {
     const osg::Matrixd worldFromEye =
         host->getInitialViewMatrix() ? osg::Matrixd::inverse(*host->getInitialViewMatrix()) : osg::Matrixd();
     c.frame.setUniforms(*settings, radius, radianceScale, *textures, worldFromEye * c.mapFromWorld);
+    const bool sunny = Plan::wantsSunShadows(*settings) && radianceScale > 0.0 && !textures->suns().empty();
     lock.unlock();
 
     std::vector<ForwardGraph> forward;
     fillGBuffer(c, node, cv, forward);
 
     const bool needed = settings->diffuse && radianceScale > 0.0 && vd.plan.surfaces.deferred > 0;
-    if (needed && Plan::wantsAtlas(*settings)) c.casters = CasterCollector(cv, worldFromEye, vd.casterStates).collect(node);
+    if ((needed && Plan::wantsAtlas(*settings)) || (sunny && vd.plan.surfaces.deferred > 0))
+        c.casters = CasterCollector(cv, worldFromEye, vd.casterStates).collect(node);
 
     lock.lock();
     const DiffuseCarrier carrier = needed ? textures->carrier() : DiffuseCarrier();
@@ -85,6 +87,7 @@ try {
                          c.casters.size(), c.ownGBuffer);
     addAtlas(c, cv);
     advanceStillView(c, cv, worldFromEye);
+    addSunMaps(c, cv, worldFromEye);
     addPasses(c, cv);
     addComposite(c, cv);
     for (const ForwardGraph& f : forward) f.bin->addStateGraph(f.graph);

@@ -40,6 +40,11 @@ bool Plan::wantsAtlas(const Settings& s)
     return s.diffuse && s.occlusion && s.visibility != Settings::VISIBILITY_SCREEN && s.visibility != Settings::VISIBILITY_NONE;
 }
 
+bool Plan::wantsSunShadows(const Settings& s)
+{
+    return (s.diffuse || s.specular) && s.occlusion && s.visibility != Settings::VISIBILITY_NONE && s.suns != Settings::SUNS_OFF;
+}
+
 Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack, double sceneRadius,
                 const DiffuseCarrier& carrier, const SunShare& suns, size_t casters, bool ownGBuffer)
 {
@@ -61,13 +66,24 @@ Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack
     sun.unless(s.suns == Settings::SUNS_GLOSSY && !surfaces.phong && !surfaces.cookTorrance && surfaces.forward == 0,
                "no glossy surface in view");
     plan.suns = sun.runs ? suns.count : 0;
-    plan.sunDiffuse = sun.runs && s.suns == Settings::SUNS_AUTO;
+    plan.sunDiffuse = sun.runs && s.suns == Settings::SUNS_AUTO && !carrier.given;  // whose list has them
     if (sun.runs) {
         std::ostringstream out;
         out.imbue(std::locale::classic());
         out << std::fixed << std::setprecision(1) << suns.count << " with " << 100.0 * suns.share << " % of the map's flux, "
             << (plan.sunDiffuse ? "in D and S" : "in S");
         sun.reason = out.str();
+    }
+
+    Decision shadows = sun;
+    shadows.unless(!s.occlusion, "occlusion is off").unless(s.visibility == Settings::VISIBILITY_NONE, "visibility is none");
+    shadows.unless(casters == 0, "nothing casts shadows");
+    plan.sunShadows = shadows.runs;
+    Decision maps = shadows;
+    if (shadows.runs) {
+        const std::string side = std::to_string(s.sunShadowSize);
+        maps.reason = "maps of " + side + " x " + side + " of " + std::to_string(casters) + " drawables, drawn when they change";
+        shadows.reason = "4 points of each disc a pixel, 16 more in penumbrae";
     }
 
     Decision specular;
@@ -123,6 +139,9 @@ Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack
 
     plan.reasons = {{"gbuffer", true, count(surfaces.deferred, "drawables, ") + count(surfaces.forward, "drawn forward")},
                     {"suns", sun.runs, sun.reason},
+                    {"sunmap", maps.runs, maps.reason},
+                    {"sunshadow", shadows.runs, shadows.reason},
+                    {"sunfilter", shadows.runs, shadows.runs ? "averages within penumbrae" : shadows.reason},
                     {"diffuse", diffuse.runs, diffuse.reason},
                     {"specular", specular.runs, specular.reason},
                     {"atlas", atlas.runs, atlas.reason},

@@ -82,7 +82,7 @@ const std::vector<Settings::Property>& Settings::table()
     static const std::vector<Property> properties = {
         onOff("diffuse", &S::diffuse, "the term D: diffuse reflection of the map"),
         onOff("specular", &S::specular, "the term S: glossy reflection of the map"),
-        onOff("occlusion", &S::occlusion, "the term O: what the scene itself keeps from D"),
+        onOff("occlusion", &S::occlusion, "the term O: what the scene itself keeps from D, with the shadows of the suns"),
         choice("lightSampler", &S::lightSampler, LightSampler::names(), "how the map is made into lights (LightSampler)"),
         choice("lightWeights", &S::lightWeights, {"auto", "off", "on"},
                "reweighting of the lights by the map's spherical harmonics; auto: after split and auto"),
@@ -90,10 +90,8 @@ const std::vector<Settings::Property>& Settings::table()
              "radiance added to the map where lights are placed, so that dark parts have some; their flux stays true"),
         choice("lightDeal", &S::lightDeal, {"moments", "random"},
                "how lights are dealt to the 16 groups of O: each a good sample of the map, or shuffled"),
-        choice(
-            "suns", &S::suns, {"off", "glossy", "auto"},
-            "cut suns and lamps out of the map and shade them as discs: for S, which they make smooth, or for D as well, where "
-            "they cast no shadows yet"),
+        choice("suns", &S::suns, {"off", "glossy", "auto"},
+               "cut suns and lamps out of the map, shade them as discs and give each a shadow map: for S only, or for D as well"),
         choice("regeneration", &S::regeneration, {"background", "immediate"},
                "a changed map becomes light on a thread of its own, visible when ready, and shadow maps are drawn some a frame; "
                "or all within the frame that sees the change"),
@@ -114,6 +112,8 @@ const std::vector<Settings::Property>& Settings::table()
         number("atlasSize", &S::atlasSize, 16, 512, "texels", "side of each shadow map of the atlas"),
         number("atlasUpdatesPerFrame", &S::atlasUpdatesPerFrame, 1, 1024, "maps per frame",
                "shadow maps drawn again each frame while the scene or the map changes; with regeneration = immediate, all"),
+        number("sunShadowSize", &S::sunShadowSize, 64, 4096, "texels",
+               "side of each sun's shadow maps; where there are more than four they share the memory of four"),
         real("nearRadius", &S::nearRadius, 0, 100, "texels of the atlas",
              "how far O looks on the screen where the atlas knows the rest; 0: not at all"),
         number("nearTaps", &S::nearTaps, 1, 32, "taps a side", "occlusionTaps of that"),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgEnvLight/ViewData>
 
+#include <algorithm>
+
 namespace osgEnvLight
 {
 
@@ -115,6 +117,17 @@ osg::StateSet& Frame::atlasState(const ShadowAtlas& atlas, double scale)
     return *_atlasState;
 }
 
+osg::StateSet& Frame::sunState(const SunShadows& shadows)
+{
+    if (!_sunState) _sunState = new osg::StateSet(*uniforms);
+    if (_sunShadows != &shadows || _sunVersion != shadows.version()) {
+        shadows.setUniforms(*_sunState);
+        _sunShadows = &shadows;
+        _sunVersion = shadows.version();
+    }
+    return *_sunState;
+}
+
 void ViewData::fit(int width, int height, MapTextures* textures)
 {
     const bool sizeChanged = width != _width || height != _height;
@@ -165,6 +178,19 @@ Accumulation& ViewData::accumulation()
     return *_accumulation;
 }
 
+SunShadows& ViewData::sunShadows(unsigned suns, unsigned levels, unsigned size)
+{
+    if (_sunShadows && _sunShadows->suns == suns) levels = std::max(levels, _sunShadows->levels);
+    size = SunShadows::sizeOf(suns * levels, size);
+    if (!_sunShadows || _sunShadows->suns != suns || _sunShadows->levels != levels || _sunShadows->size != size) {
+        _sunShadows = new SunShadows(suns, levels, size);
+        _sunCamera = new StageCamera;
+        BindTargets::install(*_sunCamera, _sunShadows->targets().maps, nullptr, _failure.get());
+        _states.clear();  // those that read the former ones
+    }
+    return *_sunShadows;
+}
+
 ViewData::State ViewData::state(const std::string& key)
 {
     osg::ref_ptr<osg::StateSet>& stateSet = _states[key];
@@ -192,6 +218,7 @@ void ViewData::resizeGLObjectBuffers(unsigned maximum)
     if (_gbuffer) _gbuffer->resizeGLObjectBuffers(maximum);
     if (_textures) _textures->resizeGLObjectBuffers(maximum);
     for (auto& [pass, atlas] : _atlases) atlas.maps->resizeGLObjectBuffers(maximum);
+    if (_sunShadows) _sunShadows->resizeGLObjectBuffers(maximum);
     for (auto& [name, target] : _targets) {
         for (auto& t : target->textures) t->resizeGLObjectBuffers(maximum);
         target->frameBuffer->resizeGLObjectBuffers(maximum);
@@ -208,6 +235,7 @@ void ViewData::releaseGLObjects(osg::State* state) const
     if (_gbuffer) _gbuffer->releaseGLObjects(state);
     if (_textures) _textures->releaseGLObjects(state);
     for (const auto& [pass, atlas] : _atlases) atlas.maps->releaseGLObjects(state);
+    if (_sunShadows) _sunShadows->releaseGLObjects(state);
     if (_accumulation) _accumulation->reset();
     for (const auto& [name, target] : _targets) {
         for (const auto& t : target->textures) t->releaseGLObjects(state);
@@ -223,7 +251,7 @@ void ViewData::releaseGLObjects(osg::State* state) const
 size_t ViewData::bytes() const
 {
     const size_t pixels = size_t(_width) * size_t(_height);
-    size_t sum = _gbuffer ? 36 * pixels : 0;
+    size_t sum = (_gbuffer ? 36 * pixels : 0) + (_sunShadows ? _sunShadows->bytes() : 0);
     for (const auto& [pass, atlas] : _atlases) sum += atlas.maps->bytes();
     for (const auto& [name, target] : _targets) sum += target->bytes();
     return sum;

@@ -33,6 +33,8 @@ bool Statistics::write(const std::string& fileName, const osgEnvLight::LitScene&
     j["counts"] = {{"diffuseLights", plan.diffuseLights},
                    {"occlusionLights", plan.occlusionLights},
                    {"specularSamples", plan.specular ? lit.getSettings()->specularSamples : 0},
+                   {"suns", plan.suns},
+                   {"sunMapsDrawn", lit.drawnSunMaps()},
                    {"deferredDrawables", plan.surfaces.deferred},
                    {"forwardDrawables", plan.surfaces.forward}};
     for (const auto& p : osgEnvLight::Settings::table()) j["settings"][p.name] = p.getString(*lit.getSettings());

@@ -27,6 +27,7 @@ const std::vector<Sweep>& defaultSweeps()
         {"visibility", {"screen", "atlas", "both"}, {}, false, true},
         {"atlasLights", {"16", "64", "128", "256", "512", "1024"}, {}, false, true},
         {"atlasSize", {"32", "64", "128", "256"}, {}, false, true},
+        {"sunShadowSize", {"256", "512", "1024", "2048"}, {}, false, false},
         {"nearRadius", {"0", "1", "2", "3", "6"}, {}, false, false},
         {"nearTaps", {"2", "4", "8"}, {}, false, false},
         {"occlusionLights", {"64", "128", "256", "512", "1024", "2048"}, {{"visibility", "screen"}}, false, false},

@@ -31,11 +31,11 @@ struct SunReceiver {
 };
 
 // Ray k of count to the unit disc: count of a pixel in a ring of sectors, all radii among them; the 16 groups of a cell lie
-// between each other. Another seed turns and shifts the set, evenly over the disc in the long run.
-vec2 sunDiscPoint(int k, int count, int group, int seed)
+// between each other.
+vec2 sunDiscPoint(int k, int count, int group)
 {
-    float turn = fract((float(group) + 0.5) / 16.0 + float(seed) * 0.61803399);
-    float shift = fract((float(group / 4) + 0.5) / 4.0 + float(group) / 64.0 + float(seed) * 0.75487767);
+    float turn = fract((float(group) + 0.5) / 16.0);
+    float shift = fract((float(group / 4) + 0.5) / 4.0 + float(group) / 64.0);
     int ring = (int(radicalInverse(uint(k)) * float(count)) + group) % count;
     float radius = sqrt((float(ring) + shift) / float(count));
     float angle = 6.28318531 * (float(k) + turn) / float(count);
@@ -43,10 +43,10 @@ vec2 sunDiscPoint(int k, int count, int group, int seed)
 }
 
 // Where within a texel that ray starts: the maps' texels leave no steps.
-vec2 sunTexelPoint(int k, int group, int seed)
+vec2 sunTexelPoint(int k, int group)
 {
-    float x = float(k) * 0.75487767 + float(group) * 0.56984029 + float(seed) * 0.61803399;
-    float y = float(k) * 0.56984029 + float(group) * 0.75487767 + float(seed) * 0.75487767;
+    float x = float(k) * 0.75487767 + float(group) * 0.56984029;
+    float y = float(k) * 0.56984029 + float(group) * 0.75487767;
     return vec2(fract(x + 0.5), fract(y + 0.5)) - 0.5;
 }
 

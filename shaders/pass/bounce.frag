@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // First step to the mean radiosity of what blocks light, estimated from the picture where light is blocked [indirect.md 0, 2]:
 // one texel for each block of the picture. No history: still frames stay the same to the bit.
-#pragma import_defines(HAS_DIFFUSE, HAS_SUNS, HAS_OCCLUSION, COMBINE_SUBTRACT)
+#pragma import_defines(HAS_DIFFUSE, HAS_SUNS, HAS_SUN_SHADOWS, HAS_OCCLUSION, COMBINE_SUBTRACT)
 
 #include "pass/gbuffer.glsl"
 #include "pass/terms.glsl"
@@ -33,7 +33,7 @@ void main()
             if (isBackground(p)) continue;
             float blocked = 1.0 - ambientVisibility(p);
             float weight = blocked + 0.05;
-            vec3 radiance = texelFetch(emissionMap, p, 0).rgb + sunDiffuse(p) + occludedDiffuse(p);
+            vec3 radiance = texelFetch(emissionMap, p, 0).rgb + sunShaded(p) + occludedDiffuse(p);
             vec4 r = weight * vec4(radiance, 1.0);
             vec3 n = pixelNormal(p);
             plain += r;

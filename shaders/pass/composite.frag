@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // The picture, or any intermediate in its place, into the host's own colour and depth.
-#pragma import_defines(HAS_DIFFUSE, HAS_SUNS, HAS_SPECULAR, HAS_OCCLUSION, HAS_BOUNCE, COMBINE_SUBTRACT, BACKGROUND, BACKGROUND_BLUR, ACCUMULATED, VIEW_TERM, OUTPUT_LINEAR)
+#pragma import_defines(HAS_DIFFUSE, HAS_SUNS, HAS_SUN_SHADOWS, HAS_SPECULAR, HAS_OCCLUSION, HAS_BOUNCE, COMBINE_SUBTRACT, BACKGROUND, BACKGROUND_BLUR, ACCUMULATED, VIEW_TERM, OUTPUT_LINEAR)
 
 #include "pass/display.glsl"
 #include "pass/picture.glsl"
@@ -60,13 +60,14 @@ vec3 termView(ivec2 p, vec3 d, float pixel)
 {
     if (view == VIEW_DIFFUSE) return diffuseTerm(p) + sunDiffuse(p);
     if (view == VIEW_SPECULAR) return specularTerm(p);
-    if (view == VIEW_OCCLUSION) return diffuseTerm(p) - occludedDiffuse(p);
+    if (view == VIEW_OCCLUSION) return diffuseTerm(p) - occludedDiffuse(p) + sunDiffuse(p) - sunShaded(p);
     if (view == VIEW_ALBEDO) return texelFetch(albedoMap, p, 0).rgb;
     if (view == VIEW_NORMAL) return 0.5 * (mapFromEye * pixelNormal(p)) + 0.5;
     if (view == VIEW_DEPTH) return vec3(-pixelEye(p).z / (4.0 * sceneRadius));
     if (view == VIEW_EMISSION) return texelFetch(emissionMap, p, 0).rgb;
-#ifdef HAS_OCCLUSION
-    if (view == VIEW_VISIBILITY) return occludedDiffuse(p) / max(diffuseTerm(p), vec3(1e-20));
+#if defined(HAS_OCCLUSION) || defined(HAS_SUN_SHADOWS)
+    if (view == VIEW_VISIBILITY)
+        return (occludedDiffuse(p) + sunShaded(p)) / max(diffuseTerm(p) + sunDiffuse(p), vec3(1e-20));
 #endif
     if (view == VIEW_BOUNCE) return bounce(p);
     if (view == VIEW_LIGHTS) return lightsView(d, pixel);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // D: the diffuse term without occlusion, rho/pi times the integral of L cos [seed 000, eq. 3, second term], from
 // spherical harmonics of the map or from its importance-sampled lights. Radiance in units of the map's mean.
-#pragma import_defines(DIFFUSE_SH_9, DIFFUSE_SH_18, HAS_COOK_TORRANCE, HAS_SUNS)
+#pragma import_defines(DIFFUSE_SH_9, DIFFUSE_SH_18, HAS_COOK_TORRANCE, HAS_SUNS, HAS_SUN_SHADOWS)
 
 #include "lib/constants.glsl"
 #include "lib/sh.glsl"
@@ -22,6 +22,9 @@ uniform sampler2D diffuseLightMap; // rows 2q, 2q + 1: direction and flux
 layout(location = 0) out vec4 diffuse;
 #ifdef HAS_SUNS
 layout(location = 1) out vec4 sunDiffuse; // apart: what keeps D from a surface is not what keeps the suns from it
+#ifdef HAS_SUN_SHADOWS
+layout(location = 2) out vec4 sunShaded;  // what is left of that
+#endif
 #endif
 
 vec3 irradianceOverPi(vec3 n)
@@ -49,6 +52,9 @@ void main()
     diffuse = vec4(0.0);
 #ifdef HAS_SUNS
     sunDiffuse = vec4(0.0);
+#ifdef HAS_SUN_SHADOWS
+    sunShaded = vec4(0.0);
+#endif
 #endif
     if (isBackground(p)) return;
     vec3 n = pixelNormal(p);
@@ -69,5 +75,8 @@ void main()
     diffuse = vec4(rho * irradianceOverPi(mapNormal), share);
 #ifdef HAS_SUNS
     sunDiffuse = vec4(rho * sunIrradianceOverPi(mapNormal), 1.0);
+#ifdef HAS_SUN_SHADOWS
+    sunShaded = vec4(rho * sunIrradianceSeenOverPi(mapNormal), 1.0);
+#endif
 #endif
 }

@@ -59,7 +59,7 @@ vec3 bounce(ivec2 p)
 
 vec3 surfaceRadiance(ivec2 p)
 {
-    return texelFetch(emissionMap, p, 0).rgb + specularTerm(p) + sunDiffuse(p) + occludedDiffuse(p) + bounce(p);
+    return texelFetch(emissionMap, p, 0).rgb + specularTerm(p) + sunShaded(p) + occludedDiffuse(p) + bounce(p);
 }
 
 // Alpha: 1 where there is a surface. d: in the map's frame.

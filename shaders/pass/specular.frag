@@ -3,7 +3,7 @@
 // S: the glossy term, the integral of L f_H cos [seed 000, eq. 3, first term], by filtered importance sampling
 // [Colbert, Krivanek 2008]: directions from the BRDF, each look-up as wide as the sample's share of the lobe.
 // Radiance in units of the map's mean.
-#pragma import_defines(HAS_PHONG, HAS_COOK_TORRANCE, HAS_SUNS)
+#pragma import_defines(HAS_PHONG, HAS_COOK_TORRANCE, HAS_SUNS, HAS_SUN_SHADOWS)
 
 #include "lib/frame.glsl"
 #include "lib/fresnel.glsl"
@@ -72,7 +72,7 @@ vec3 cookTorrance(vec3 v, mat3 mapFromLocal, vec3 f0, float roughness)
 #ifdef HAS_SUNS
     for (int i = 0; i < sunCount; ++i) {
         vec3 s = sunDirection[i] * mapFromLocal;
-        sum += sunRadiance[i] * fresnelSchlick(f0, dot(normalize(v + s), v)) * ggxDisc(s, v, alpha, sunRadius[i]);
+        sum += sunVisibility(i) * sunRadiance[i] * fresnelSchlick(f0, dot(normalize(v + s), v)) * ggxDisc(s, v, alpha, sunRadius[i]);
     }
 #endif
     return sum * energy;
@@ -96,7 +96,7 @@ vec3 phong(vec3 v, mat3 mapFromLocal, vec3 ks, float roughness)
 #ifdef HAS_SUNS
     for (int i = 0; i < sunCount; ++i) {
         vec3 s = sunDirection[i] * mapFromLocal;
-        sum += sunRadiance[i] * (n + 2.0) / TWO_PI * phongDisc(r, s, n, sunRadius[i]) *
+        sum += sunVisibility(i) * sunRadiance[i] * (n + 2.0) / TWO_PI * phongDisc(r, s, n, sunRadius[i]) *
                (discIrradianceOverPi(s.z, sunRadius[i]) / (sin(sunRadius[i]) * sin(sunRadius[i])));
     }
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The suns that were cut from the map: discs of even radiance, in its frame and in units of its mean. They cast no shadows.
+// The suns that were cut from the map: discs of even radiance, in its frame and in units of its mean.
 #ifndef SUNS_GLSL
 #define SUNS_GLSL
 
@@ -17,5 +17,31 @@ vec3 sunIrradianceOverPi(vec3 n)
     for (int i = 0; i < sunCount; ++i) sum += sunRadiance[i] * discIrradianceOverPi(dot(n, sunDirection[i]), sunRadius[i]);
     return sum;
 }
+
+#ifdef HAS_SUN_SHADOWS
+uniform sampler2D sunVisibilityMap0;
+uniform sampler2D sunVisibilityMap1;
+
+// Share of sun i that this pixel sees.
+float sunVisibility(int i)
+{
+    ivec2 p = ivec2(gl_FragCoord.xy);
+    return i < 4 ? texelFetch(sunVisibilityMap0, p, 0)[i] : texelFetch(sunVisibilityMap1, p, 0)[i - 4];
+}
+
+// The irradiance that is left of the suns.
+vec3 sunIrradianceSeenOverPi(vec3 n)
+{
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < sunCount; ++i)
+        sum += sunVisibility(i) * sunRadiance[i] * discIrradianceOverPi(dot(n, sunDirection[i]), sunRadius[i]);
+    return sum;
+}
+#else
+float sunVisibility(int i)
+{
+    return 1.0;
+}
+#endif
 
 #endif

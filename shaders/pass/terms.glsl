@@ -5,6 +5,7 @@
 
 uniform sampler2D diffuseTermMap;
 uniform sampler2D sunDiffuseMap;
+uniform sampler2D sunShadedMap;
 uniform sampler2D occlusionTermMap;
 uniform float radianceScale;  // the map's mean radiance times its intensity
 
@@ -23,6 +24,16 @@ vec3 sunDiffuse(ivec2 p)
     return texelFetch(sunDiffuseMap, p, 0).rgb * radianceScale;
 #else
     return vec3(0.0);
+#endif
+}
+
+// What the scene leaves of it.
+vec3 sunShaded(ivec2 p)
+{
+#ifdef HAS_SUN_SHADOWS
+    return texelFetch(sunShadedMap, p, 0).rgb * radianceScale;
+#else
+    return sunDiffuse(p);
 #endif
 }
 

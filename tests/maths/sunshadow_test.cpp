@@ -39,30 +39,27 @@ const double floorHeight = 8.0;
 
 }  // namespace
 
-// The disc cut into 5 x 16 parts of the same area: each holds its share of all groups' points, whatever the seed.
+// The disc cut into 16 parts of the same area: each holds its share of a cell's points.
 TEST(sunshadow, PointsCoverTheDiscEvenly)
 {
     for (int count : {4, 16}) {
         glsl::vec2 mean(0.0);
         double square = 0.0;
         std::vector<int> parts(16, 0);
-        const int seeds = 64;
-        for (int seed = 0; seed < seeds; ++seed)
-            for (int group = 0; group < 16; ++group)
-                for (int k = 0; k < count; ++k) {
-                    const glsl::vec2 p = glsl::sunDiscPoint(k, count, group, seed);
-                    const double r2 = glm::dot(p, p);
-                    ASSERT_LE(r2, 1.0);
-                    mean += p / double(seeds * 16 * count);
-                    square += r2 / double(seeds * 16 * count);
-                    const int ring = std::min(int(4.0 * r2), 3);
-                    const int sector = std::min(int((std::atan2(p.y, p.x) / (2.0 * glsl::PI) + 0.5) * 4.0), 3);
-                    ++parts[size_t(4 * ring + sector)];
-                }
-        EXPECT_LT(glm::length(mean), 0.01) << count;
-        EXPECT_NEAR(square, 0.5, 0.01) << count;
-        const double share = seeds * 16 * count / 16.0;
-        for (int n : parts) EXPECT_NEAR(n, share, 0.06 * share) << count;
+        for (int group = 0; group < 16; ++group)
+            for (int k = 0; k < count; ++k) {
+                const glsl::vec2 p = glsl::sunDiscPoint(k, count, group);
+                const double r2 = glm::dot(p, p);
+                ASSERT_LE(r2, 1.0);
+                mean += p / (16.0 * count);
+                square += r2 / (16.0 * count);
+                const int ring = std::min(int(4.0 * r2), 3);
+                const int sector = std::min(int((std::atan2(p.y, p.x) / (2.0 * glsl::PI) + 0.5) * 4.0), 3);
+                ++parts[size_t(4 * ring + sector)];
+            }
+        EXPECT_LT(glm::length(mean), 0.02) << count;
+        EXPECT_NEAR(square, 0.5, 0.02) << count;
+        for (int n : parts) EXPECT_EQ(n, count) << count;
     }
 }
 
@@ -72,7 +69,7 @@ TEST(sunshadow, PointsOfAPixelBalance)
     for (const auto& [count, most] : {std::pair(4, 0.36), std::pair(16, 0.09)})
         for (int group = 0; group < 16; ++group) {
             glsl::vec2 mean(0.0);
-            for (int k = 0; k < count; ++k) mean += glsl::sunDiscPoint(k, count, group, 0) / double(count);
+            for (int k = 0; k < count; ++k) mean += glsl::sunDiscPoint(k, count, group) / double(count);
             EXPECT_LT(glm::length(mean), most) << count << " " << group;
         }
 }

@@ -1,0 +1,21 @@
+#version 330 compatibility
+// SPDX-License-Identifier: MIT
+// From the two surfaces of a sun's shadow map: heights of the first, and of the middle.
+#include "lib/atlas.glsl"
+
+uniform sampler2D firstDepthMap;
+uniform sampler2D firstSlopeMap;
+uniform sampler2D secondDepthMap;
+uniform float mapTexel;       // in heights
+uniform ivec2 batchFromAtlas; // from this texel to the map's in the batch
+
+layout(location = 0) out vec4 heights;
+
+void main()
+{
+    ivec2 p = ivec2(gl_FragCoord.xy) + batchFromAtlas;
+    float first = texelFetch(firstDepthMap, p, 0).r;
+    float middle =
+        midpointHeight(first, texelFetch(secondDepthMap, p, 0).r, texelFetch(firstSlopeMap, p, 0).r, mapTexel);
+    heights = vec4(1.0 - first, middle, 0.0, 0.0);
+}

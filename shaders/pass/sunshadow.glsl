@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// The shadow maps of the suns, in the world about their origin, and how much of a sun a pixel sees.
+#ifndef PASS_SUNSHADOW_GLSL
+#define PASS_SUNSHADOW_GLSL
+
+#include "lib/sunshadow.glsl"
+#include "pass/gbuffer.glsl"
+
+uniform sampler2D sunShadowMaps; // a row for each sun, the map of the whole scene first
+uniform int sunMapSize;          // of a map, in texels
+uniform int sunShadowLevels;     // maps of a sun
+uniform int sunCount;
+uniform vec3 sunAxes[24];        // of each sun across, up, towards it
+uniform vec2 sunHeights[8];      // lowest and highest point along the third
+uniform vec4 sunLevels[32];      // texels per unit of the world along the first two axes, and the offsets
+uniform float sunRadius[8];
+uniform mat4 atlasFromEye;
+
+// A pixel's surface in the world.
+struct SunPixel {
+    vec3 point;
+    vec3 normal;
+    vec3 ray;       // from the eye
+    float quantum;  // a step of the depth buffer along it
+    float footprint;
+    int group;      // in its cell
+};
+
+SunPixel sunPixel(ivec2 p)
+{
+    float depth = texelFetch(depthMap, p, 0).r;
+    vec2 ndc = pixelNdc(p);
+    vec3 eye = eyeFromDepth(inverseProjection, ndc, depth);
+    SunPixel s;
+    s.point = vec3(atlasFromEye * vec4(eye, 1.0));
+    s.normal = mat3(atlasFromEye) * pixelNormal(p);
+    s.ray = mat3(atlasFromEye) * viewRay(inverseProjection, ndc);
+    s.quantum = length(eyeFromDepth(inverseProjection, ndc, depth - 1.2e-7) - eye);
+    s.footprint = pixelFootprint(inverseProjection, ndc, depth, viewportSize);
+    s.group = bayer4(p.x, p.y);
+    return s;
+}
+
+vec2 sunTexels(vec4 level, int sun, vec3 point)
+{
+    return vec2(dot(point, sunAxes[3 * sun]), dot(point, sunAxes[3 * sun + 1])) * level.xy + level.zw;
+}
+
+// The finest map that shows the point. The border between two is scattered over a sixteenth of their width.
+SunMap sunMapAt(int sun, SunPixel s)
+{
+    vec4 whole = sunLevels[4 * sun];
+    float size = float(sunMapSize);
+    float margin = 2.0 + size / 16.0 * (float(s.group) + 0.5) / 16.0;
+    int level = sunShadowLevels - 1;
+    for (; level > 0; --level) {
+        if (sunLevels[4 * sun + level].x <= 0.0) continue;
+        vec2 xy = sunTexels(sunLevels[4 * sun + level], sun, s.point);
+        if (min(xy.x, xy.y) >= margin && max(xy.x, xy.y) <= size - margin) break;
+    }
+    vec4 own = sunLevels[4 * sun + level];
+    SunMap m;
+    m.corner = ivec2(level, sun) * sunMapSize;
+    m.size = sunMapSize;
+    m.heights = (sunHeights[sun].y - sunHeights[sun].x) * max(own.x, own.y);
+    m.longer = max(own.x, own.y) / min(own.x, own.y);
+    m.wholeCorner = ivec2(0, sun) * sunMapSize;
+    m.toWhole = whole.xy / own.xy;
+    m.wholeOffset = whole.zw - own.zw * m.toWhole;
+    return m;
+}
+
+// Share of the sun's light on the surface that reaches it, by rays to count points of the disc; and the width of the
+// penumbra there in pixels, 0 where nothing hides it. The plane's own horizon is not counted.
+vec2 sunSeen(int sun, SunPixel s, int count)
+{
+    float spread = tan(sunRadius[sun]);
+    vec3 n = vec3(dot(s.normal, sunAxes[3 * sun]), dot(s.normal, sunAxes[3 * sun + 1]), dot(s.normal, sunAxes[3 * sun + 2]));
+    if (n.z <= -spread) return vec2(1.0, 0.0);
+    SunMap m = sunMapAt(sun, s);
+    vec4 level = sunLevels[4 * sun + m.corner.x / sunMapSize];
+    float finest = max(level.x, level.y);
+    vec2 perHeight = level.xy / finest; // texels across that are as long as one of height
+    SunReceiver r;
+    r.point = vec3(sunTexels(level, sun, s.point), (dot(s.point, sunAxes[3 * sun + 2]) - sunHeights[sun].x) * finest);
+    float up = max(n.z, 0.02); // below, the surface hardly sees the sun
+    r.gradient = -n.xy / (up * perHeight);
+    float steep = 1.0 + length(r.gradient);
+    r.slack = 0.05 * steep + abs(dot(s.normal, s.ray)) * s.quantum * finest / up;
+    r.body = 3.0 * steep;
+    float seen = 0.0;
+    float all = 0.0;
+    float height = 0.0;
+    float hidden = 0.0;
+    for (int k = 0; k < count; ++k) {
+        vec2 across = spread * sunDiscPoint(k, count, s.group);
+        float cosine = n.z + dot(n.xy, across);
+        if (cosine <= 0.0) continue;
+        all += cosine;
+        float h = sunBlocker(sunShadowMaps, m, r, r.point.xy + sunTexelPoint(k, s.group),
+                             across * perHeight);
+        if (h < 0.0) {
+            seen += cosine;
+        } else {
+            height += h;
+            hidden += 1.0;
+        }
+    }
+    if (all <= 0.0) return vec2(1.0, 0.0);
+    if (hidden <= 0.0) return vec2(1.0, 0.0);
+    // A texel's edge is scattered over its width.
+    float width = inversesqrt(level.x * level.y) + 2.0 * spread * height / (hidden * finest);
+    return vec2(seen / all, min(width / s.footprint, 1000.0));
+}
+
+#endif

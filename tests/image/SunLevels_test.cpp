@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// Shadows of suns in scenes that are large against what the view shows, and of casters of every kind.
+#include "SunScenes.h"
+
+#include <osg/AlphaFunc>
+#include <osg/Texture2D>
+
+#include <gtest/gtest.h>
+
+using namespace sunscenes;
+using osgEnvLight::LitScene;
+using osgEnvLight::Settings;
+
+namespace
+{
+
+// A floor 400 wide, and along all of it a wall 4 high that throws a shadow 4 wide to its left.
+osg::ref_ptr<LitScene> longWall(double sunRadius = 0.7)
+{
+    osg::ref_ptr<LitScene> lit = sunny(osg::Vec3d(1, 0, 1), sunRadius);
+    lit->addChild(makeBox(osg::Vec3d(-200, -200, -1), osg::Vec3d(200, 200, 0)));
+    lit->addChild(makeBox(osg::Vec3d(0, -190, 0), osg::Vec3d(1, 190, 4)));
+    return lit;
+}
+
+// Where the view ray of a pixel meets the ground.
+osg::Vec3d groundAt(SceneRenderer& renderer, const Picture& p, int x, int y)
+{
+    const osg::Camera& camera = *renderer.viewer().getCamera();
+    const osg::Matrixd inverse = osg::Matrixd::inverse(camera.getViewMatrix() * camera.getProjectionMatrix());
+    const osg::Vec3d ndc(2.0 * (x + 0.5) / p.width - 1.0, 2.0 * (y + 0.5) / p.height - 1.0, -1.0);
+    const osg::Vec3d a = ndc * inverse, b = osg::Vec3d(ndc.x(), ndc.y(), 0.5) * inverse;
+    return a + (b - a) * (-a.z() / (b.z() - a.z()));
+}
+
+}  // namespace
+
+// A texel of the whole scene's map is a third of a unit wide: the penumbra of this edge, a seventh of one.
+TEST(SunLevels, NearShadowsAreSharp)
+{
+    SceneRenderer renderer(256, 256);
+    osg::ref_ptr<LitScene> lit = longWall();
+    const osgEnvLight::DominantLight sun = sunOf(*lit);
+    const double elevation = std::asin(sun.direction.z());
+    const double edge = 4.0 / std::tan(elevation);
+    const double width = 4.0 / std::tan(elevation - 0.687 * sun.radius) - 4.0 / std::tan(elevation + 0.687 * sun.radius);
+    lookDown(renderer, osg::Vec3d(-edge, 20, 0), 4.0 * width);
+    const Picture p = renderer.render(lit);
+    EXPECT_GE(lit->drawnSunMaps(), 2u);
+    EXPECT_NEAR(std::abs(crossing(p, 0.9) - crossing(p, 0.1)) / 256.0 * 4.0, 1.0, 0.1);
+}
+
+// Down the wall, through all levels: outside of the penumbra everything is lit or dark, no border is seen.
+TEST(SunLevels, NoSeamsBetweenLevels)
+{
+    SceneRenderer renderer(256, 192);
+    osg::ref_ptr<LitScene> lit = longWall();
+    renderer.lookAt(osg::Vec3d(-6, -185, 3), osg::Vec3d(-4, -170, 0));
+    const Picture p = renderer.render(lit);
+    EXPECT_GE(lit->drawnSunMaps(), 3u);
+    int dark = 0, bright = 0;
+    for (int y = 0; y < p.height; ++y)
+        for (int x = 0; x < p.width; ++x) {
+            const osg::Vec3d g = groundAt(renderer, p, x, y);
+            if (!(g.y() > -185.0 && g.y() < 180.0) || !(p.alpha(x, y) > 0.5f)) continue;
+            // The penumbra is .15 wide, a texel of the whole scene's map .4.
+            const double margin = 0.3 + 0.01 * (g.y() + 185.0);
+            if (g.x() > -4.0 + margin && g.x() < -0.05) {
+                EXPECT_EQ(0.0, p.color(x, y)[0]) << g.x() << ", " << g.y();
+                ++dark;
+            } else if (g.x() < -4.0 - margin) {
+                EXPECT_EQ(1.0, p.color(x, y)[0]) << g.x() << ", " << g.y();
+                ++bright;
+            }
+        }
+    EXPECT_GT(dark, 2000);
+    EXPECT_GT(bright, 2000);
+}
+
+// Levels move by whole texels: a view that comes back by another way sees the shadows that it saw.
+TEST(SunLevels, ShadowsDontSwim)
+{
+    SceneRenderer renderer(128, 96);
+    osg::ref_ptr<LitScene> lit = longWall();
+    const auto look = [&](double y) { renderer.lookAt(osg::Vec3d(-6, y, 3), osg::Vec3d(-4, y + 10, 0)); };
+    look(-100);
+    const Picture first = renderer.render(lit);
+    look(-99.9);
+    renderer.render(lit);
+    EXPECT_EQ(0u, lit->drawnSunMaps());  // still within what the levels show
+    unsigned drawn = 0;
+    for (double y = -98; y < 60; y += 11.3) {
+        look(y);
+        renderer.render(lit);
+        drawn += lit->drawnSunMaps();
+    }
+    EXPECT_GT(drawn, 2u);
+    look(-100);
+    // Rows at a texel's border fall to either side of it.
+    EXPECT_LT(rootMeanSquare(first, renderer.render(lit)), 0.01);
+}
+
+// A leaf whose left half is cut out by its texture's alpha.
+TEST(SunLevels, WhatTheAlphaTestLeavesCasts)
+{
+    SceneRenderer renderer(128, 128);
+    osg::ref_ptr<LitScene> lit = sunny(osg::Vec3d(0, 0, 1), 0.7);
+    lit->addChild(makeBox(osg::Vec3d(-2, -2, -0.2), osg::Vec3d(2, 2, 0)));
+    osg::ref_ptr<osg::Geode> leaf = makeQuad(osg::Vec3d(-1, -1, 1), osg::Vec3d(2, 0, 0), osg::Vec3d(0, 2, 0));
+    osg::Geometry* geometry = leaf->getDrawable(0)->asGeometry();
+    osg::ref_ptr<osg::Vec2Array> coordinates = new osg::Vec2Array;
+    const auto& vertices = static_cast<const osg::Vec3Array&>(*geometry->getVertexArray());
+    for (const osg::Vec3& v : vertices) coordinates->push_back(osg::Vec2(0.5f + 0.5f * v.x(), 0.5f + 0.5f * v.y()));
+    geometry->setTexCoordArray(0, coordinates);
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(64, 64, 1, GL_RGBA, GL_UNSIGNED_BYTE);
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x) {
+            unsigned char* t = image->data(unsigned(x), unsigned(y));
+            t[0] = t[1] = t[2] = 255;
+            t[3] = x < 32 ? 0 : 255;
+        }
+    osg::StateSet& state = *leaf->getOrCreateStateSet();
+    state.setTextureAttributeAndModes(0, new osg::Texture2D(image));
+    state.setAttributeAndModes(new osg::AlphaFunc(osg::AlphaFunc::GREATER, 0.5f));
+    lit->addChild(leaf);
+    // From the side, beneath the leaf.
+    renderer.lookAt(osg::Vec3d(0, -6, 2), osg::Vec3d(0, 0, 0), osg::Vec3d(0, 0, 1), 30.0);
+    const Picture p = renderer.render(lit);
+    int dark = 0, bright = 0;
+    for (int y = 0; y < 128; ++y)
+        for (int x = 0; x < 128; ++x) {
+            const osg::Vec3d g = groundAt(renderer, p, x, y);
+            if (std::abs(g.y() + 0.6) > 0.3 || std::abs(g.x()) > 0.9 || std::abs(g.x()) < 0.1) continue;
+            ++(g.x() > 0.0 ? dark : bright);
+            EXPECT_EQ(g.x() > 0.0 ? 0.0 : 1.0, p.color(x, y)[0]) << g.x() << ", " << g.y();
+        }
+    EXPECT_GT(dark, 100);
+    EXPECT_GT(bright, 100);
+}
+
+// Whatever stands between the view and the sun casts, out of the picture too; a sheet from either side.
+TEST(SunLevels, CastersOutOfTheViewCast)
+{
+    SceneRenderer renderer(64, 64);
+    for (bool turned : {false, true}) {
+        osg::ref_ptr<LitScene> lit = sunny(osg::Vec3d(1, 0, 1), 0.7);
+        lit->addChild(makeBox(osg::Vec3d(-30, -2, -0.2), osg::Vec3d(30, 2, 0)));
+        renderer.lookAt(osg::Vec3d(-20, -1, 2), osg::Vec3d(-20, 0, 0), osg::Vec3d(0, 0, 1), 20.0);
+        EXPECT_EQ(1.0, ofGeometry(renderer.render(lit)).least);
+        const osg::Vec3d a(4, 0, 0), b(0, 4, 0);
+        lit->addChild(makeQuad(osg::Vec3d(-2, -2, 20), turned ? b : a, turned ? a : b));
+        EXPECT_EQ(0.0, ofGeometry(renderer.render(lit)).most) << turned;
+    }
+}
