@@ -3,6 +3,7 @@
 #include "SunScenes.h"
 
 #include <osg/AlphaFunc>
+#include <osg/Material>
 #include <osg/Texture2D>
 
 #include <gtest/gtest.h>
@@ -152,4 +153,30 @@ TEST(SunLevels, CastersOutOfTheViewCast)
         lit->addChild(makeQuad(osg::Vec3d(-2, -2, 20), turned ? b : a, turned ? a : b));
         EXPECT_EQ(0.0, ofGeometry(renderer.render(lit)).most) << turned;
     }
+}
+
+// What D asks about its lights is no business of the suns, nor of what the scene itself emits.
+TEST(SunLevels, TheSunsDontChangeWithWhatDAsks)
+{
+    SceneRenderer renderer(96, 96);
+    osg::ref_ptr<LitScene> lit = sunny(osg::Vec3d(1, 0.3, 1));
+    lit->getSettings()->view = Settings::BEAUTY;  // under a black sky: the suns' and the lamp's light alone
+    lit->addChild(makeBox(osg::Vec3d(-2, -2, -0.2), osg::Vec3d(2, 2, 0)));
+    lit->addChild(makeSphere(osg::Vec3d(0, 0, 0.7), 0.7));
+    osg::ref_ptr<osg::Geode> lamp = makeBox(osg::Vec3d(0.9, -0.2, 0), osg::Vec3d(1.1, 0, 0.5));
+    osg::ref_ptr<osg::Material> glow = new osg::Material;
+    glow->setEmission(osg::Material::FRONT_AND_BACK, osg::Vec4(0.5, 0.25, 0.125, 1));
+    lamp->getOrCreateStateSet()->setAttributeAndModes(glow);
+    lit->addChild(lamp);
+    renderer.lookAt(osg::Vec3d(-2, -5, 3), osg::Vec3d(0, 0, 0.4));
+    const auto picture = [&](Settings::Visibility v, Settings::View view) {
+        lit->getSettings()->visibility = v;
+        lit->getSettings()->view = view;
+        return renderer.render(lit).rgba;
+    };
+    const std::vector<float> beauty = picture(Settings::VISIBILITY_AUTO, Settings::BEAUTY);
+    for (Settings::Visibility v : {Settings::VISIBILITY_SCREEN, Settings::VISIBILITY_ATLAS, Settings::VISIBILITY_BOTH})
+        EXPECT_TRUE(beauty == picture(v, Settings::BEAUTY)) << v;
+    EXPECT_FALSE(beauty == picture(Settings::VISIBILITY_NONE, Settings::BEAUTY));
+    EXPECT_TRUE(picture(Settings::VISIBILITY_AUTO, Settings::EMISSION) == picture(Settings::VISIBILITY_NONE, Settings::EMISSION));
 }

@@ -235,7 +235,11 @@ class Measurement
     {
         const Estimate& truth = term == DIFFUSE ? _truth.diffuse : term == SPECULAR ? _truth.specular : _truth.occlusion;
         _settings.view = term == DIFFUSE ? Settings::DIFFUSE : term == SPECULAR ? Settings::SPECULAR : Settings::OCCLUSION;
+        // S is compared unoccluded, and the suns' shadows are in it.
+        const int visibility = _settings.visibility;
+        if (term == SPECULAR) _settings.visibility = Settings::VISIBILITY_NONE;
         const Picture picture = _renderer.render(&_lit);
+        _settings.visibility = visibility;
         _settings.view = Settings::BEAUTY;
         const ErrorFigures e = osgEnvLight::compare(picture, truth.mean, truth.error, _deferred);
         if (term == SPECULAR) return {e.tRmse, noiseOf(e.tNoise, e.pixels)};
