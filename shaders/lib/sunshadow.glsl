@@ -34,8 +34,8 @@ struct SunReceiver {
 // between each other.
 vec2 sunDiscPoint(int k, int count, int group)
 {
-    float turn = fract((float(group) + 0.5) / 16.0);
-    float shift = fract((float(group / 4) + 0.5) / 4.0 + float(group) / 64.0);
+    float turn = (float(group) + 0.5) / 16.0;
+    float shift = radicalInverse(uint(group)) + 0.03125;
     int ring = (int(radicalInverse(uint(k)) * float(count)) + group) % count;
     float radius = sqrt((float(ring) + shift) / float(count));
     float angle = 6.28318531 * (float(k) + turn) / float(count);
@@ -99,10 +99,34 @@ float sunMeets(sampler2D sunMaps, SunMap m, SunReceiver r, vec2 xy, vec2 slope, 
     return -1.0;
 }
 
+bool sunAbove(SunReceiver r, vec4 surface, float height)
+{
+    return surface.x - r.point.z > height && sunHides(r, surface);
+}
+
+// Where the ray, below the surface at low and above it at high, passes through it; negative where it passes an edge.
+float sunPasses(sampler2D sunMaps, SunMap m, SunReceiver r, vec2 xy, vec2 slope, float low, float high, vec4 below, vec4 above)
+{
+    for (int i = 0; i < 5; ++i) {
+        float middle = 0.5 * (low + high);
+        vec4 surface = sunSurface(sunMaps, m, xy + slope * middle);
+        if (sunAbove(r, surface, middle)) {
+            low = middle;
+            below = surface;
+        } else {
+            high = middle;
+            above = surface;
+        }
+    }
+    float across = length(slope) * (high - low);
+    if (!sunWithin(m, xy + slope * high)) across = max(across, max(1.0 / m.toWhole.x, 1.0 / m.toWhole.y));
+    return sunHides(r, above) && below.x - above.x <= SUN_STEEP * m.longer * (1.0 + across) ? low : -1.0;
+}
+
 // How high above the receiver a ray from xy that moves by slope for each unit of height is blocked; negative where it is not.
 // The ray is followed over intervals each longer than the last, so that thin things are missed only where the disc is much
-// wider than they. A surface found at either end of one counts if the ray meets it at its own height: a sheet's edge is
-// where it is, whatever the intervals, and what passes beneath it goes on.
+// wider than they. A surface found at either end of one counts if the ray meets it at its own height, or passes through it
+// between them: a sheet's edge is where it is, whatever the intervals, and what passes beneath it goes on.
 float sunBlocker(sampler2D sunMaps, SunMap m, SunReceiver r, vec2 xy, vec2 slope)
 {
     float reach = m.heights - r.point.z;
@@ -116,8 +140,11 @@ float sunBlocker(sampler2D sunMaps, SunMap m, SunReceiver r, vec2 xy, vec2 slope
     for (int i = 0; i < steps; ++i) {
         float height = sunMeets(sunMaps, m, r, xy, slope, low, high, surface);
         if (height > 0.0) return height;
+        vec4 former = surface;
         surface = sunSurface(sunMaps, m, xy + slope * high);
         height = sunMeets(sunMaps, m, r, xy, slope, low, high, surface);
+        if (height <= 0.0 && sunAbove(r, former, low) && !sunAbove(r, surface, high))
+            height = sunPasses(sunMaps, m, r, xy, slope, low, high, former, surface);
         if (height > 0.0) return height;
         low = high;
         high *= growth;
