@@ -70,9 +70,11 @@ void DeferredTechnique::addSunMaps(Cull& c, osgUtil::CullVisitor& cv, const osg:
     if (!c.shadesSuns()) return;
     const SunView view{worldFromEye, *cv.getProjectionMatrix(), c.view.height()};
     const auto size = unsigned(c.settings.sunShadowSize);
-    SunShadows& shadows = c.view.sunShadows(plan.suns, SunShadows::wantedLevels(boundOf(c.casters), view, size), size);
+    const VisibleBoxes boxes(c.casters, view);
+    const unsigned levels = SunShadows::wantedLevels(boundOf(c.casters), view, boxes, size);
+    SunShadows& shadows = c.view.sunShadows(plan.suns, levels, size);
     const DominantLights suns = inWorld(c.view.textures().suns(), c.mapFromWorld);
-    const std::vector<ShadowRefresh> refreshes = shadows.update(c.casters, suns, view);
+    const std::vector<ShadowRefresh> refreshes = shadows.update(c.casters, suns, view, boxes);
     _drawnSunMaps = unsigned(refreshes.size());
     if (refreshes.empty()) return;
 

@@ -31,28 +31,16 @@ double diagonal(const osg::BoundingBoxd& box)
     return (box._max - box._min).length();
 }
 
-// Depths of the box before the view's plane.
-std::pair<double, double> depthsOf(const osg::BoundingBoxd& box, const SunView& view)
-{
-    const osg::Matrixd eyeFromWorld = osg::Matrixd::inverse(view.worldFromEye);
-    std::pair<double, double> range(1e300, -1e300);
-    for (unsigned i = 0; i < 8; ++i) {
-        const double depth = -(box.corner(i) * eyeFromWorld).z();
-        range = {std::min(range.first, depth), std::max(range.second, depth)};
-    }
-    return range;
-}
-
 // Up to which depth texels are wider than the view's pixels ask for; 0 where none are.
-double depthOfWideTexels(double texel, const SunView& view, const std::pair<double, double>& range)
+double depthOfWideTexels(double texel, const SunView& view, const VisibleBoxes& boxes)
 {
     const double at0 = view.footprint(0.0), at1 = view.footprint(1.0);
     const double slope = at1 - at0;
-    if (!(slope > 1e-9 * at1)) return at0 * coarsest < texel ? range.second : 0.0;
-    return std::min((texel / coarsest - at0) / slope, range.second);
+    if (!(slope > 1e-9 * at1)) return at0 * coarsest < texel ? boxes.farthest() : 0.0;
+    return std::min((texel / coarsest - at0) / slope, boxes.farthest());
 }
 
-// Powers of two of the whole's side, so that a view that comes nearer does not fit a map in every frame.
+// The wanted side as the next power of two of the whole's, so that a view that comes nearer does not fit a map in every frame.
 double level(double wanted, double whole)
 {
     return whole * std::exp2(std::min(std::ceil(std::log2(std::max(wanted / whole, 1e-6))), 0.0));
@@ -105,29 +93,7 @@ std::array<osg::Vec3d, 3> narrowestAxes(const osg::BoundingBoxd& box, const osg:
     return best;
 }
 
-// Of what the view shows between two depths.
-std::vector<osg::Vec3d> slice(const SunView& view, double near, double far)
-{
-    std::vector<osg::Vec3d> corners;
-    for (double x : {-1.0, 1.0})
-        for (double y : {-1.0, 1.0})
-            for (double depth : {near, far}) corners.push_back(view.at(x, y, depth));
-    return corners;
-}
-
 }  // namespace
-
-osg::Vec3d SunView::at(double x, double y, double depth) const
-{
-    const osg::Matrixd inverse = osg::Matrixd::inverse(projection);
-    const osg::Vec3d a = osg::Vec3d(x, y, -1.0) * inverse, b = osg::Vec3d(x, y, 0.5) * inverse;
-    return (a + (b - a) * ((-depth - a.z()) / (b.z() - a.z()))) * worldFromEye;
-}
-
-double SunView::footprint(double depth) const
-{
-    return (at(0.0, 2.0 / height, depth) - at(0.0, 0.0, depth)).length();
-}
 
 SunShadows::SunShadows(unsigned sunCount, unsigned levelCount, unsigned mapSize)
     : suns(sunCount),
@@ -151,23 +117,12 @@ unsigned SunShadows::sizeOf(unsigned maps, unsigned wanted)
     return std::max(unsigned(wanted * std::sqrt(double(most) / maps)) / 16 * 16, 64u);
 }
 
-unsigned SunShadows::wantedLevels(const osg::BoundingBoxd& scene, const SunView& view, unsigned size)
+unsigned SunShadows::wantedLevels(const osg::BoundingBoxd& scene, const SunView& view, const VisibleBoxes& boxes, unsigned size)
 {
-    if (!scene.valid()) return 1;
-    const std::pair<double, double> range = depthsOf(scene, view);
-    double side = diagonal(scene);
-    unsigned count = 1;
-    for (; count < maximumLevels; ++count) {
-        const double depth = depthOfWideTexels(side / size, view, range);
-        if (depth <= std::max(range.first, 0.0)) break;
-        const std::vector<osg::Vec3d> corners = slice(view, std::max(range.first, 0.0), depth);
-        osg::BoundingBoxd box;
-        for (const osg::Vec3d& c : corners) box.expandBy(c);
-        const double next = spare * diagonal(box.intersect(scene));
-        if (!(next < 0.5 * side)) break;
-        side = next;
-    }
-    return count;
+    if (boxes.empty()) return 1;
+    const double wide = diagonal(scene) / size / (coarsest * view.footprint(boxes.nearest()));
+    const double finer = std::ceil(std::log2(std::max(wide, 1.0)));
+    return 1 + unsigned(std::min(finer, double(maximumLevels - 1)));
 }
 
 // The bound stays while it fits: a caster that wanders within it moves no map.
@@ -214,29 +169,44 @@ SunShadows::Rectangle SunShadows::snapped(const osg::BoundingBoxd& needed, const
             sides};
 }
 
-void SunShadows::fitLevels(const Sun& sun, const SunView& view, Rectangles& rectangles) const
+void SunShadows::fitLevels(const Sun& sun, const SunView& view, const VisibleBoxes& boxes, Rectangles& rectangles) const
 {
     const osg::BoundingBoxd scene = rectangleOf(sun.axes, cornersOf(_box));
-    const std::pair<double, double> range = depthsOf(_box, view);
-    const double nearest = std::max(range.first, 0.0);
     Rectangle& whole = rectangles[0];
     if (!whole.exists()) whole = snapped(scene, sidesOf(scene) * (1.0 + 4.0 / size));
     for (unsigned i = 1; i < levels; ++i) {
         const Rectangle& former = rectangles[i - 1];
-        const double depth = depthOfWideTexels(former.texel(size), view, range);
-        osg::BoundingBoxd needed;
-        if (depth > nearest) needed = rectangleOf(sun.axes, slice(view, nearest, depth)).intersect(scene);
-        osg::Vec2d sides = former.sides;
-        if (needed.valid())
-            sides = {level(spare * sidesOf(needed).x(), whole.sides.x()), level(spare * sidesOf(needed).y(), whole.sides.y())};
+        const osg::BoundingBoxd needed = nearPart(sun, view, boxes, former);
         Rectangle& own = rectangles[i];
-        if (sides.x() * sides.y() > 0.5 * former.area()) {
-            for (; i < levels; ++i) rectangles[i] = Rectangle();
-            return;
+        if (!needed.valid() || !former.exists()) {
+            own = Rectangle();
+            continue;
         }
-        if (!(own.area() <= 0.5 * former.area() && own.area() <= 2.0 * sides.x() * sides.y() && own.contains(needed)))
-            own = snapped(needed, sides);
+        const osg::Vec2d sides(level(spare * sidesOf(needed).x(), whole.sides.x()),
+                               level(spare * sidesOf(needed).y(), whole.sides.y()));
+        const bool stays = own.sides.x() <= 0.5 * former.sides.x() && own.sides.y() <= 0.5 * former.sides.y() &&
+                           own.area() <= 2.0 * sides.x() * sides.y() && own.contains(needed);
+        if (!stays) own = snapped(needed, sides);
     }
+}
+
+// Of what the view shows, as much of that for which the former's texels are too wide as fits into one half as wide; not valid
+// where nothing is.
+osg::BoundingBoxd SunShadows::nearPart(const Sun& sun, const SunView& view, const VisibleBoxes& boxes,
+                                       const Rectangle& former) const
+{
+    const osg::BoundingBoxd scene = rectangleOf(sun.axes, cornersOf(_box));
+    const double most = 0.5 / spare;
+    double near = boxes.nearest(), far = depthOfWideTexels(former.texel(size), view, boxes);
+    osg::BoundingBoxd part;
+    for (int step = 0; far > near && step < 8; ++step) {
+        const double depth = step == 0 ? far : 0.5 * (near + far);
+        const osg::BoundingBoxd r = boxes.rectangle(sun.axes, depth).intersect(scene);
+        const bool fits = sidesOf(r).x() <= most * former.sides.x() && sidesOf(r).y() <= most * former.sides.y();
+        (fits ? near : far) = depth;
+        if (fits) part = r;
+    }
+    return part;
 }
 
 ShadowRefresh SunShadows::refresh(unsigned index, unsigned level) const
@@ -255,7 +225,8 @@ ShadowRefresh SunShadows::refresh(unsigned index, unsigned level) const
     return {index * levels + level, m, float(r.texel(size) / (sun.high - sun.low))};
 }
 
-std::vector<ShadowRefresh> SunShadows::update(const std::vector<Caster>& casters, const DominantLights& list, const SunView& view)
+std::vector<ShadowRefresh> SunShadows::update(const std::vector<Caster>& casters, const DominantLights& list, const SunView& view,
+                                              const VisibleBoxes& boxes)
 {
     double texel = _box.valid() ? diagonal(_box) / size : 0.0;
     for (const Sun& sun : _suns)
@@ -273,7 +244,7 @@ std::vector<ShadowRefresh> SunShadows::update(const std::vector<Caster>& casters
         const bool turned = (list[i].direction - sun.axes[2]).length() > 0.25 / size;
         if (fitted || turned) place(sun, list[i].direction);
         const Rectangles former = sun.rectangles;
-        fitLevels(sun, view, sun.rectangles);
+        fitLevels(sun, view, boxes, sun.rectangles);
         for (unsigned k = 0; k < levels; ++k) {
             const bool same = sun.rectangles[k] == former[k];
             changed = changed || !same;
