@@ -226,9 +226,10 @@ const LightList& MapTextures::diffuseList()
 
 osg::Texture2D* MapTextures::diffuseLights()
 {
-    // Rows of at most 4096 lights: a texture is narrower than the longest list.
+    // Rows of at most 4096 lights: a texture is narrower than the longest list. A map that is all suns has none.
     const LightList& list = diffuseList();
-    if (!_diffuseLights) _diffuseLights = lightTexture(list, (unsigned(list.size()) + 4095) / 4096, _scale);
+    const unsigned rows = std::max((unsigned(list.size()) + 4095) / 4096, 1u);
+    if (!_diffuseLights) _diffuseLights = lightTexture(list, rows, _scale);
     return _diffuseLights.get();
 }
 

@@ -96,6 +96,7 @@ Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack
     occlusion.unless(!s.occlusion, "switched off").unless(!diffuse.runs, "there is no diffuse term to occlude");
     occlusion.unless(s.visibility == Settings::VISIBILITY_NONE, "visibility is none");
     occlusion.unless(!(sceneRadius > 0.0), "the scene has no extent");
+    occlusion.unless(plan.sunDiffuse && suns.share > 1.0 - 1e-6, "the suns are all of the map's light");
 
     Decision atlas = occlusion;
     atlas.unless(s.visibility == Settings::VISIBILITY_SCREEN, "visibility is screen");

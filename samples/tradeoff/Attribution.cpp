@@ -58,6 +58,19 @@ std::string rounded(double percent)
     return text.str();
 }
 
+// As much of the part as the error holds: of what occludes, ours may know some.
+Picture heldOf(const Picture& error, const Part& part, const osgEnvLight::Mask& mask)
+{
+    double both = 0.0, own = 0.0;
+    for (int y = 0; y < error.height; ++y)
+        for (int x = 0; x < error.width; ++x)
+            if (mask.at(x, y)) {
+                both += error.color(x, y) * part.picture.color(x, y);
+                own += part.picture.color(x, y).length2();
+            }
+    return scaled(part.picture, own > 0.0 ? float(std::clamp(both / own, 0.0, 1.0)) : 0.0f);
+}
+
 // The part whose removal leaves the least squared error; parts.size() if none lessens it by 1 % of total.
 size_t bestPart(const Picture& error, const std::vector<Part>& parts, bool remainders, double total,
                 const osgEnvLight::Mask& mask)
@@ -66,7 +79,7 @@ size_t bestPart(const Picture& error, const std::vector<Part>& parts, bool remai
     double least = squared(error, mask) - 0.01 * total;
     for (size_t i = 0; i < parts.size(); ++i) {
         if (parts[i].remainder != remainders) continue;
-        const double without = squared(difference(error, parts[i].picture), mask);
+        const double without = squared(difference(error, heldOf(error, parts[i], mask)), mask);
         if (without > least) continue;
         least = without;
         best = i;
@@ -84,12 +97,13 @@ std::vector<std::pair<std::string, double>> sharesOf(Picture error, std::vector<
         if (best == parts.size()) best = bestPart(error, parts, true, total, mask);
         if (best == parts.size()) break;
         const Part part = parts[best];
-        const Picture without = difference(error, part.picture);
+        const Picture held = heldOf(error, part, mask);
+        const Picture without = difference(error, held);
         shares.emplace_back(part.name, (squared(error, mask) - squared(without, mask)) / total);
         error = without;
         const auto after =
             std::find_if(parts.begin() + ptrdiff_t(best) + 1, parts.end(), [](const Part& p) { return p.remainder; });
-        if (part.ofRemainder) after->picture = difference(after->picture, part.picture);
+        if (part.ofRemainder) after->picture = difference(after->picture, held);
         parts.erase(parts.begin() + ptrdiff_t(best));
     }
     std::sort(shares.begin(), shares.end(), [](const auto& x, const auto& y) { return x.second > y.second; });

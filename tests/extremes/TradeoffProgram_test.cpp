@@ -108,7 +108,7 @@ TEST_F(TradeoffProgram, MeasuresAndReports)
 
 TEST_F(TradeoffProgram, SaysWhatTheErrorIs)
 {
-    // A roof over the plate, out of the picture: the screen can't know of it.
+    // A roof over the plate, out of the picture: the screen can't know of it, nor of its shadow where the sun has no map.
     const TemporaryFolder folder;
     osg::ref_ptr<osg::Geode> geode = new osg::Geode;
     geode->addDrawable(new osg::ShapeDrawable(new osg::Box(osg::Vec3(0, 0, -0.05f), 6.0f, 6.0f, 0.1f)));
@@ -128,6 +128,8 @@ TEST_F(TradeoffProgram, SaysWhatTheErrorIs)
                                   ".03",
                                   "--set",
                                   "visibility=screen",
+                                  "--set",
+                                  "suns=off",
                                   "--eye",
                                   "0,-2.8,1.5",
                                   "--target",
