@@ -65,7 +65,7 @@ try {
            gbuffer,
            osg::Matrixd::rotate(osg::DegreesToRadians(-degrees), 0, 0, 1),
            radianceScale,
-           node.getTimed(),
+           node.isTimed(),
            !node.getGBuffer()};
     const double radius = node.getBound().valid() ? double(node.getBound().radius()) : 0.0;
     const osg::Matrixd worldFromEye =

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgEnvLight/LitScene>
 
+#include <osgEnvLight/StatsLines>
+
 #include <osgGA/EventVisitor>
 #include <osgUtil/CullVisitor>
 #include <osgViewer/View>
@@ -55,6 +57,7 @@ void LitScene::traverse(osg::NodeVisitor& nv)
     if (nv.getVisitorType() == osg::NodeVisitor::EVENT_VISITOR && nv.asEventVisitor()) {
         if (_homeView && !_homeGiven) goHome(*nv.asEventVisitor());
         handleEvents(*nv.asEventVisitor());
+        showStats(*nv.asEventVisitor());
     }
     osg::Group::traverse(nv);
 }
@@ -79,6 +82,15 @@ void LitScene::goHome(osgGA::EventVisitor& ev)
         view->getCamera()->setProjectionMatrixAsPerspective(_homeView->fovy, aspect, near, far);
     view->getCameraManipulator()->setHomePosition(_homeView->eye, _homeView->target, _homeView->up);
     view->getCameraManipulator()->home(*event, *view);
+}
+
+void LitScene::showStats(osgGA::EventVisitor& ev)
+{
+    auto* view = dynamic_cast<osgViewer::View*>(ev.getActionAdapter());
+    _showsTimes = view && StatsLines::areShown(*view);
+    if (!_showsTimes) return;
+    if (!_statsLines) _statsLines = new StatsLines;
+    _statsLines->update(*view, passTimes(), average());
 }
 
 void LitScene::handleEvents(osgGA::EventVisitor& ev)
