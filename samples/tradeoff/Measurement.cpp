@@ -86,6 +86,20 @@ Picture Measurement::view(int view)
     return _viewer.picture();
 }
 
+// S before anything occludes it: that of settings which S does not ask for is drawn once, since a view that asks for no
+// visibility forgets its shadow maps.
+const Picture& Measurement::specular()
+{
+    Settings& s = *_lit.getSettings();
+    const auto [known, isNew] = _speculars.try_emplace(std::make_tuple(s.specular, s.specularSamples, s.suns));
+    if (!isNew) return known->second;
+    const int visibility = s.visibility;
+    s.visibility = Settings::VISIBILITY_NONE;
+    known->second = view(Settings::SPECULAR);
+    s.visibility = visibility;
+    return known->second;
+}
+
 Point Measurement::measure(const Candidate& candidate)
 {
     Point point;
@@ -97,8 +111,8 @@ Point Measurement::measure(const Candidate& candidate)
         time(point);
         _pictures.beauty = _viewer.picture();
         _pictures.diffuse = view(Settings::DIFFUSE);
-        _pictures.specular = view(Settings::SPECULAR);
         _pictures.occlusion = view(Settings::OCCLUSION);
+        _pictures.specular = specular();
         _lit.getSettings()->view = _base->view;
         if (!_pictures.beauty.finite()) throw std::runtime_error("the picture has values that are not finite");
         point.beauty = figuresOf(_pictures.beauty, _truth, Layer::BEAUTY);

@@ -31,6 +31,7 @@ class Measurement
   private:
     void time(Point& point);
     osgEnvLight::Picture view(int view);
+    const osgEnvLight::Picture& specular();
 
     osgEnvLight::LitScene& _lit;
     HeadlessViewer& _viewer;
@@ -38,6 +39,7 @@ class Measurement
     const osg::ref_ptr<osgEnvLight::Settings> _base;
     int _frames;
     Terms _pictures;
+    std::map<std::tuple<bool, int, int>, osgEnvLight::Picture> _speculars;
 };
 
 }  // namespace tradeoff
