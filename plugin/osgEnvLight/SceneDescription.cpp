@@ -98,12 +98,15 @@ void readSettings(const Value& v, const std::string& file, SceneDescription& sce
 {
     if (!v.get().is_object()) v.fail("an object");
     osg::ref_ptr<Settings> trial = new Settings;
-    for (const auto& [key, value] : v.get().items()) {
+    const auto read = [&](const std::string& key) {
         const std::string text = settingText(v[key]);
         std::string error;
         if (!trial->set(key, text, error)) throw std::runtime_error(file + ": key 'settings." + key + "': " + error);
         scene.settings.emplace_back(key, text);
-    }
+    };
+    if (v.has("preset")) read("preset");  // first: the others are on top of it
+    for (const auto& [key, value] : v.get().items())
+        if (key != "preset") read(key);
 }
 
 void readModels(const Value& v, SceneDescription& scene)

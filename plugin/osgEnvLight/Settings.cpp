@@ -120,9 +120,11 @@ const std::vector<Settings::Property>& Settings::table()
         number(
             "occlusionLights", &S::occlusionLights, 16, 65536, "lights",
             "lights whose visibility O tests on the screen, a sixteenth of them in each pixel; rounded up to a multiple of 16"),
-        choice("occlusionMethod", &S::occlusionMethod, {"slice", "ray"},
-               "how O searches the depth buffer: slices through the pixel, whose bits all its lights share, or a ray for each "
-               "light; beside the atlas always slices"),
+        choice(
+            "occlusionMethod", &S::occlusionMethod, {"slice", "ray", "point", "gtao", "bent-normal"},
+            "how O searches the depth buffer: slices through the pixel, whose bits all its lights share, or a ray for each "
+            "light; for comparison one point a ray, which seed 000 printed, the share of the sky above the slices' horizons, or "
+            "the open share of it about its mean direction; beside the atlas always slices"),
         number("occlusionSlices", &S::occlusionSlices, 1, 4, "slices a pixel", "planes through the view ray that are searched"),
         number("occlusionTaps", &S::occlusionTaps, 1, 32, "taps a side",
                "points of the depth buffer that each of a slice's two sides looks at"),
@@ -200,6 +202,7 @@ std::string Settings::Property::range() const
 
 bool Settings::set(const std::string& name, const std::string& value, std::string& error)
 {
+    if (name == "preset") return setPreset(value, error);
     const Property* p = find(name);
     if (p) {
         double x = parse(*p, value);

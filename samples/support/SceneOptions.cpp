@@ -46,7 +46,9 @@ void SceneOptions::addTo(CLI::App& app)
     app.add_option("--up", up, "x,y,z")->delimiter(',')->expected(3);
     app.add_option("--fovy", fovy, "vertical opening angle, degrees")->check(CLI::Range(0.01, 179.0));
     app.add_option("--size", size, "WIDTHxHEIGHT, default 512x512");
-    app.add_option("--set", settings, "name=value of a property of Settings (switches take on | off); repeatable")
+    app.add_option(
+           "--set", settings,
+           "name=value of a property of Settings (switches take on | off), or preset=low | default | high | interior; repeatable")
         ->allow_extra_args(false);
 }
 

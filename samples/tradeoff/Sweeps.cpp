@@ -32,7 +32,7 @@ const std::vector<Sweep>& defaultSweeps()
         {"nearTaps", {"2", "4", "8"}, {}, false, false},
         {"occlusionLights", {"64", "128", "256", "512", "1024", "2048"}, {{"visibility", "screen"}}, false, false},
         {"occlusionSteps", {"2", "4", "8", "16", "32", "64"}, {{"visibility", "screen"}}, false, false},
-        {"occlusionMethod", {"slice", "ray"}, {{"visibility", "screen"}}, false, false},
+        {"occlusionMethod", {"slice", "ray", "point", "gtao", "bent-normal"}, {{"visibility", "screen"}}, false, false},
         {"occlusionSlices", {"1", "2", "4"}, {}, false, false},
         {"occlusionTaps", {"2", "4", "8", "16", "32"}, {{"visibility", "screen"}, {"occlusionMethod", "slice"}}, false, false},
         {"occlusionRadius", {"0.0625", "0.125", "0.25", "0.5", "1"}, {{"visibility", "screen"}}, false, false},
@@ -52,15 +52,16 @@ const std::vector<Sweep>& defaultSweeps()
     return sweeps;
 }
 
-const std::vector<std::pair<const char*, Texts>>& presets()
+// The defaults first: what the others are held against.
+std::vector<Candidate> presets()
 {
-    static const std::vector<std::pair<const char*, Texts>> all = {
-        {"default", {}},
-        {"no occlusion", {{"occlusion", "off"}}},
-        {"fast", {{"atlasLights", "64"}, {"nearRadius", "0"}, {"specularSamples", "8"}, {"diffuseLights", "32"}}},
-        {"fine", {{"atlasLights", "512"}, {"specularSamples", "64"}, {"diffuseLights", "256"}}},
-        {"finest", {{"atlasLights", "1024"}, {"atlasSize", "256"}, {"specularSamples", "256"}, {"diffuseLights", "512"}}},
-    };
+    std::vector<Candidate> all = {{"preset", "default", unknown, {}},
+                                  {"preset", "no occlusion", unknown, {{"occlusion", "off"}}}};
+    for (const Settings::Preset& p : Settings::presets()) {
+        if (p.values.empty()) continue;
+        all.push_back({"preset", p.name, unknown, {}});
+        for (const auto& [property, value] : p.values) all.back().settings.emplace_back(property, value);
+    }
     return all;
 }
 
@@ -129,8 +130,7 @@ std::pair<std::string, std::vector<std::string>> parseSweep(const std::string& t
 
 std::vector<Candidate> candidates(const Selection& selection)
 {
-    std::vector<Candidate> all;
-    for (const auto& [name, settings] : presets()) all.push_back({"preset", name, unknown, settings});
+    std::vector<Candidate> all = presets();
     for (const Sweep& s : defaultSweeps()) {
         const bool replaced =
             std::any_of(selection.sweeps.begin(), selection.sweeps.end(), [&](const auto& a) { return a.first == s.name; });

@@ -74,7 +74,7 @@ TEST_F(TradeoffProgram, MeasuresAndReports)
     const TemporaryFolder folder;
     const std::string output = folder.file("re port");
     const Outcome o = runProgram(command(writeScene(folder), output,
-                                         {"--only", "fast,no occlusion,atlasLights", "--sweep", "atlasLights=64,256",
+                                         {"--only", "low,no occlusion,atlasLights", "--sweep", "atlasLights=64,256",
                                           "--target-error", ".5", "--target-ms", ".001"}));
     ASSERT_EQ(o.status, 0) << o.err;
     const json j = readJson(output + "/tradeoff.json");
@@ -87,7 +87,7 @@ TEST_F(TradeoffProgram, MeasuresAndReports)
         EXPECT_TRUE(p["terms"].contains("occlusion"));
         EXPECT_FALSE(p["passes"].empty());
     }
-    EXPECT_EQ(names, (std::vector<std::string>{"preset default", "preset fast", "preset no occlusion", "atlasLights 64",
+    EXPECT_EQ(names, (std::vector<std::string>{"preset default", "preset low", "preset no occlusion", "atlasLights 64",
                                                "atlasLights 256"}));
     // A box on a plate: without its shadow on the plate the picture is farther from the truth.
     EXPECT_GT(j["points"][2]["beauty"]["tRMSE"], j["points"][0]["beauty"]["tRMSE"]);

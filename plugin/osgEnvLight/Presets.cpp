@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include <osgEnvLight/Settings>
+
+namespace osgEnvLight
+{
+
+const std::vector<Settings::Preset>& Settings::presets()
+{
+    static const std::vector<Preset> all = {
+        {"low",
+         "half the time: a view that moves on a slow machine",
+         {{"atlasLights", "64"}, {"nearRadius", "0"}, {"specularSamples", "8"}, {"sunShadowSize", "512"}}},
+        {"default", "the knee of error against time", {}},
+        {"high",
+         "stills and fast machines: sharper shadows, cleaner reflections",
+         {{"atlasSize", "256"}, {"specularSamples", "64"}, {"sunShadowSize", "2048"}}},
+        {"interior",
+         "rooms, into which little of the map shines: more of its lights",
+         {{"atlasLights", "512"}, {"atlasSize", "256"}}},
+    };
+    return all;
+}
+
+bool Settings::setPreset(const std::string& name, std::string& error)
+{
+    const Preset* chosen = nullptr;
+    for (const Preset& p : presets())
+        if (name == p.name) chosen = &p;
+    if (!chosen) {
+        error = "preset is '" + name + "', expected";
+        for (const Preset& p : presets()) error += std::string(&p == &presets().front() ? " " : " | ") + p.name;
+        return false;
+    }
+    const osg::ref_ptr<Settings> usual = new Settings;
+    for (const Preset& p : presets())
+        for (const auto& [property, value] : p.values) find(property)->put(*this, find(property)->get(*usual));
+    for (const auto& [property, value] : chosen->values)
+        if (!set(property, value, error)) return false;
+    return true;
+}
+
+}  // namespace osgEnvLight
