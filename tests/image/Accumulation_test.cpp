@@ -8,11 +8,12 @@
 #include <osg/Material>
 #include <osg/MatrixTransform>
 #include <osgEnvLight/Material>
-#include <reference/Reference>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "TracedView.h"
 
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
@@ -56,27 +57,14 @@ void lookAtPost(SceneRenderer& renderer)
 // rasteriser's pixels are.
 double errorOf(const Picture& picture, LitScene& lit, SceneRenderer& renderer)
 {
-    osg::Camera& camera = *renderer.viewer().getCamera();
-    std::string error;
-    const osg::ref_ptr<const osgEnvLight::RadianceMap> map = lit.getEnvironmentMap()->radiance(error);
-    const osgEnvLight::TriangleScene triangles = osgEnvLight::flattenScene(lit, camera, renderer.viewer().getFrameStamp());
-    const osgEnvLight::RayScene rays(triangles);
-    const osgEnvLight::RayCamera eye(camera, lit.getBound());
-    const osgEnvLight::MapEnvironment environment(*map, 0.0, 1.0);
-    osgEnvLight::ReferenceOptions options;
-    options.estimator = osgEnvLight::ReferenceOptions::MIS;
-    options.samples = 256;
-    options.antialias = true;
-    const auto result = osgEnvLight::Reference(rays, eye, environment)
-                            .render(options, {osgEnvLight::Layer::BEAUTY, osgEnvLight::Layer::NORMAL, osgEnvLight::Layer::DEPTH});
-    const Picture truth = result.mean(osgEnvLight::Layer::BEAUTY);
-    Picture surface = result.mean(osgEnvLight::Layer::NORMAL);
+    using osgEnvLight::Layer;
+    const osgEnvLight::ReferenceResult result = tracedView(lit, renderer, 256, {Layer::BEAUTY, Layer::NORMAL, Layer::DEPTH});
+    const Picture truth = result.mean(Layer::BEAUTY);
+    Picture surface = result.mean(Layer::NORMAL);
     for (size_t i = 0; i < surface.pixels(); ++i) surface.rgba[4 * i + 3] = truth.rgba[4 * i + 3];
-    const osgEnvLight::Mask inside =
-        osgEnvLight::withoutEdges(osgEnvLight::Mask::geometry(truth) & osgEnvLight::Mask::geometry(picture), surface,
-                                  result.mean(osgEnvLight::Layer::DEPTH));
-    const osgEnvLight::ErrorFigures e =
-        osgEnvLight::compare(picture, truth, result.standardError(osgEnvLight::Layer::BEAUTY), inside);
+    const osgEnvLight::Mask inside = osgEnvLight::withoutEdges(
+        osgEnvLight::Mask::geometry(truth) & osgEnvLight::Mask::geometry(picture), surface, result.mean(Layer::DEPTH));
+    const osgEnvLight::ErrorFigures e = osgEnvLight::compare(picture, truth, result.standardError(Layer::BEAUTY), inside);
     return e.rmse / e.mean;
 }
 

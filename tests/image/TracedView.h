@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// What a renderer's picture of a scene should be.
+#pragma once
+
+#include <SceneRenderer.h>
+
+#include <reference/Reference>
+
+/** The scene as the renderer's camera sees it now, its map unturned, by that many samples a pixel. */
+inline osgEnvLight::ReferenceResult tracedView(osgEnvLight::LitScene& lit, SceneRenderer& renderer, unsigned samples,
+                                               const std::set<osgEnvLight::Layer>& layers)
+{
+    osg::Camera& camera = *renderer.viewer().getCamera();
+    std::string error;
+    const osg::ref_ptr<const osgEnvLight::RadianceMap> map = lit.getEnvironmentMap()->radiance(error);
+    const osgEnvLight::TriangleScene triangles = osgEnvLight::flattenScene(lit, camera, renderer.viewer().getFrameStamp());
+    const osgEnvLight::RayScene rays(triangles);
+    const osgEnvLight::RayCamera eye(camera, lit.getBound());
+    const osgEnvLight::MapEnvironment environment(*map, 0.0, 1.0);
+    osgEnvLight::ReferenceOptions options;
+    options.estimator = osgEnvLight::ReferenceOptions::MIS;
+    options.samples = samples;
+    options.antialias = true;
+    return osgEnvLight::Reference(rays, eye, environment).render(options, layers);
+}
