@@ -93,6 +93,7 @@ inline vec4 textureLod(const sampler2D& s, vec2 st, double)
 #include "lib/ggx.glsl"
 #include "lib/latlong.glsl"
 #include "lib/octahedral.glsl"
+#include "lib/opensky.glsl"
 #include "lib/phong.glsl"
 #include "lib/sequence.glsl"
 #include "lib/sh.glsl"

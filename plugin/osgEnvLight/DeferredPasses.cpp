@@ -224,8 +224,10 @@ void DeferredTechnique::addOcclusion(Cull& c, osgUtil::CullVisitor& cv, Target& 
         in.lights = plan.occlusionLights;
         in.samplers = {{"occlusionLightMap", textures.occlusionLights(plan.occlusionLights)}};
     }
-    const bool rays = !plan.atlas && c.settings.occlusionMethod == Settings::RAY;
-    if (plan.screen) in.defines.push_back(rays ? "OCCLUSION_RAYS" : "OCCLUSION_SLICES");
+    // Beside the atlas it is slices, whatever the method of the screen alone.
+    static const char* const methods[] = {"OCCLUSION_SLICES", "OCCLUSION_RAYS", "OCCLUSION_POINTS", "OCCLUSION_HORIZONS",
+                                          "OCCLUSION_BENT_NORMAL"};
+    if (plan.screen) in.defines.push_back(methods[plan.atlas ? Settings::SLICE : c.settings.occlusionMethod]);
     addPass(c, cv, "occlusion", sums, passState(c, "occlusion", in), places);
     PassInputs filter;
     if (c.settings.combine == Settings::SUBTRACT) filter.defines.push_back("COMBINE_SUBTRACT");

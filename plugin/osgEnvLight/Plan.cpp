@@ -117,6 +117,8 @@ Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack
                                             : std::string("each asking its shadow map");
         else if (s.occlusionMethod == Settings::RAY)
             occlusion.reason += count(unsigned(s.occlusionSteps), "points a ray");
+        else if (s.occlusionMethod == Settings::POINT)
+            occlusion.reason += "one point a ray";
         else
             occlusion.reason += taps + count(unsigned(2 * s.occlusionTaps), "taps");
         if (plan.occlusionLights != asked) occlusion.reason += " (rounded up to a multiple of 16)";

@@ -50,4 +50,20 @@ float rayBlocked(sampler2D depthMap, RayMarch m, vec3 l, float phase)
     return 0.0;
 }
 
+// How far one point of the ray, at a share of its length, is hidden from the eye: seed 000, 3.2, as printed, for comparison.
+float pointHidden(sampler2D depthMap, RayMarch m, vec3 l, float share)
+{
+    float t = m.radius * share;
+    vec4 c = m.clip + t * (m.projection * vec4(l, 0.0));
+    if (c.w <= 0.0 || abs(c.x) >= c.w || abs(c.y) >= c.w) return 0.0;
+    ivec2 texel = ivec2((0.5 * vec2(c) / c.w + 0.5) * m.size);
+    float depth = texelFetch(depthMap, texel, 0).x;
+    if (depth >= 1.0) return 0.0;
+    vec2 ndc = (vec2(texel) + 0.5) / m.size * 2.0 - 1.0;
+    if (dot(m.plane, vec4(ndc, 2.0 * depth - 1.0, 1.0)) <= 0.0) return 0.0;
+    float behind = eyeFromDepth(m.inverseProjection, ndc, depth).z - (m.eye.z + t * l.z);
+    float far = behind / m.radius;
+    return behind > 0.0 ? max(1.0 - far * far, 0.0) : 0.0;
+}
+
 #endif

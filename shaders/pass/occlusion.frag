@@ -4,8 +4,12 @@
 // flux cos over the lights it sees (num) and over all of them (den). Their filtered ratio is the visibility of D. A light is
 // blocked if the screen or its shadow map says so: bit by bit, so that no occluder counts twice [occlusion.md 4].
 // Alpha: the same sums of solid angle cos, the ambient visibility.
-#pragma import_defines(HAS_ATLAS, OCCLUSION_SLICES, OCCLUSION_RAYS)
+#pragma import_defines(HAS_ATLAS, OCCLUSION_SLICES, OCCLUSION_RAYS, OCCLUSION_POINTS, OCCLUSION_HORIZONS, OCCLUSION_BENT_NORMAL)
+#if defined(OCCLUSION_HORIZONS) || defined(OCCLUSION_BENT_NORMAL)
+#define OCCLUSION_SCALAR
+#endif
 
+#include "lib/opensky.glsl"
 #include "lib/sequence.glsl"
 #include "lib/slices.glsl"
 #include "lib/visibility.glsl"
@@ -117,10 +121,16 @@ void main()
 
     Receiver receiver = receiverAt(p);
     int group = bayer4(p.x, p.y);
-#ifdef OCCLUSION_SLICES
+#if defined(OCCLUSION_SLICES) || defined(OCCLUSION_SCALAR)
     Slices slices = pixelSlices(receiver, group);
 #endif
-#ifdef OCCLUSION_RAYS
+#ifdef OCCLUSION_SCALAR
+#ifdef OCCLUSION_HORIZONS
+    for (int i = 0; i < slices.count; ++i) slices.slice[i] = belowHorizons(slices.slice[i]);
+#endif
+    vec4 open = openSky(slices, receiver.normal);
+#endif
+#if defined(OCCLUSION_RAYS) || defined(OCCLUSION_POINTS)
     RayMarch march = pixelRays(receiver);
 #endif
 #ifdef HAS_ATLAS
@@ -138,6 +148,13 @@ void main()
         Light light = lightAt(group, i);
 #endif
         float c = dot(receiver.normal, light.direction);
+#ifdef OCCLUSION_BENT_NORMAL
+        // The share of the sky that is open, as if it were lit from about its middle.
+        num += open.w * max(dot(normalize(open.xyz + 1e-20 * receiver.normal), light.direction), 0.0) *
+               vec4(light.flux, light.solidAngle);
+        den += max(c, 0.0) * vec4(light.flux, light.solidAngle);
+        continue;
+#endif
         if (c <= 0.0) continue;
         vec4 e = c * vec4(light.flux, light.solidAngle);
         den += e;
@@ -148,6 +165,12 @@ void main()
         // The points of neighbouring pixels and lights lie between each other.
         float phase = fract(float(group) * 0.0625 + float(i) * 0.61803399);
         if (rayBlocked(depthMap, march, light.direction, phase) > 0.5) continue;
+#endif
+#ifdef OCCLUSION_POINTS
+        e *= 1.0 - pointHidden(depthMap, march, light.direction, fract(float(group) * 0.0625 + float(i) * 0.61803399));
+#endif
+#ifdef OCCLUSION_HORIZONS
+        e *= open.w;
 #endif
 #ifdef HAS_ATLAS
         if (atlasSees(mapped, point, normal, c) < 0.5) continue;

@@ -86,12 +86,33 @@ TEST(Occlusion, InfiniteWallBySlicesFromEveryProjection)
     }
 }
 
+// Under an even sky the share of it that is open is all there is to know; of the point that seed 000 printed a third of O is
+// to be expected [systems.md E2].
+TEST(Occlusion, ScalarMethodsKnowAnEvenSkyAndAPointDoesNot)
+{
+    SceneRenderer renderer(512, 512);
+    lookAtWall(renderer);
+    for (const auto& [method, least, most] :
+         {std::tuple(Settings::GTAO, 0.93, 1.07), std::tuple(Settings::BENT_NORMAL, 0.93, 1.07),
+          std::tuple(Settings::POINT, 0.15, 0.6)}) {
+        const osg::ref_ptr<LitScene> lit = makeWall(method);
+        lit->getSettings()->occlusionSlices = 4;
+        const Picture p = renderer.render(lit);
+        for (double a : {0.1, 0.5, 1.0}) {
+            const double ratio = occlusionRatio(renderer, p, a);
+            EXPECT_GT(ratio, least) << "a " << a << ", method " << method;
+            EXPECT_LT(ratio, most) << "a " << a << ", method " << method;
+        }
+    }
+}
+
 TEST(Occlusion, PlanesAtAnyTiltSeeEverything)
 {
     SceneRenderer renderer(96, 96);
     for (const auto& [method, distance] :
          {std::pair(Settings::SLICE, 0.01), std::pair(Settings::SLICE, 1.0), std::pair(Settings::SLICE, 1e4),
-          std::pair(Settings::RAY, 0.01), std::pair(Settings::RAY, 1.0), std::pair(Settings::RAY, 1e4)})
+          std::pair(Settings::RAY, 0.01), std::pair(Settings::RAY, 1.0), std::pair(Settings::RAY, 1e4),
+          std::pair(Settings::POINT, 1.0), std::pair(Settings::GTAO, 0.01), std::pair(Settings::GTAO, 1e4)})
         for (double tilt : {0.0, 30.0, 60.0, 80.0, 89.0}) {
             osg::ref_ptr<LitScene> lit = makeLit(constantMap(1.0).get());
             lit->getSettings()->view = Settings::VISIBILITY;
