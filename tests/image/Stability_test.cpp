@@ -170,7 +170,7 @@ TEST(Stability, TurningTheViewDoesNotChangeALight)
 // Red light from the left, blue from the right: the post's shadow on either side lacks the light of the other.
 TEST(Stability, ShadowsOfColouredLightsHaveTheirColours)
 {
-    SceneRenderer renderer(192, 144);
+    SceneRenderer renderer(448, 336);
     osg::ref_ptr<LitScene> lit =
         courtyard(makeMap(64, 32, [](const osg::Vec3d& d) {
                       const double left = std::pow(std::max(d * osg::Vec3d(-0.8, 0, 0.6), 0.0), 30.0);
@@ -180,7 +180,7 @@ TEST(Stability, ShadowsOfColouredLightsHaveTheirColours)
     lit->getSettings()->bounce = Settings::BOUNCE_OFF;
     renderer.lookAt(osg::Vec3d(0, -6, 5), osg::Vec3d(0, -0.5, 0));
     const Picture p = renderer.render(lit, 2);
-    const Picture truth = tracedView(*lit, renderer, 512, {osgEnvLight::Layer::BEAUTY}).mean(osgEnvLight::Layer::BEAUTY);
+    const Picture truth = tracedView(*lit, renderer, 64, {osgEnvLight::Layer::BEAUTY}).mean(osgEnvLight::Layer::BEAUTY);
     for (double side : {-1.0, 1.0}) {
         const osg::Vec2d at = renderer.pixelOf(osg::Vec3d(side * 0.9, 0.0, 0.0));
         osg::Vec3d ours, expected;
