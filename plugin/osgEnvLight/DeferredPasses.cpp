@@ -101,18 +101,17 @@ void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
     if (c.ownGBuffer) c.host.addPreRenderStage(c.frame.gbufferStage.get(), 0);
     const Plan& plan = c.view.plan;
     MapTextures& textures = c.view.textures();
-    const std::vector<GLint> half = {GL_RGBA16F_ARB};
     // All targets first: a new one forgets the state sets that read its predecessor.
     const auto halves = [](size_t count) { return std::vector<GLint>(count, GL_RGBA16F_ARB); };
-    const std::vector<GLint> two = halves(2);
     Target* seen = plan.sunShadows ? &c.view.target("sunshadow", halves((plan.suns + 1) / 2)) : nullptr;
     Target* visibility = plan.sunShadows ? &c.view.target("sunfilter", halves((plan.suns + 3) / 4)) : nullptr;
     const size_t diffuseTargets = !plan.sunDiffuse ? 1 : plan.sunShadows ? 3 : 2;
     Target* diffuse = plan.diffuse ? &c.view.target("diffuse", halves(diffuseTargets)) : nullptr;
     // A mirrored sun exceeds half floats in units of the map's mean.
-    Target* specular = plan.specular ? &c.view.target("specular", {GL_RGBA32F_ARB}) : nullptr;
-    Target* sums = plan.occlusion ? &c.view.target("occlusion", two) : nullptr;
-    Target* filtered = plan.occlusion ? &c.view.target("filter", half) : nullptr;
+    const std::vector<GLint> lobe = {GL_RGBA32F_ARB, GL_RGBA16F_ARB};
+    Target* specular = plan.specular ? &c.view.target("specular", plan.lobes ? lobe : std::vector<GLint>{lobe[0]}) : nullptr;
+    Target* sums = plan.occlusion ? &c.view.target("occlusion", halves(plan.lobes ? 3 : 2)) : nullptr;
+    Target* filtered = plan.occlusion ? &c.view.target("filter", halves(plan.lobes ? 2 : 1)) : nullptr;
     const int bounceBlocks = 32;  // as in pass/bounce.frag
     Target* blocks = plan.bounce ? &c.view.target("bounce", std::vector<GLint>(5, GL_RGBA32F_ARB), bounceBlocks) : nullptr;
     const int bounceSums = 8;  // five are used
@@ -140,12 +139,18 @@ void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
         if (!plan.diffuseLights) state.addUniform(textures.harmonics());
         addPass(c, cv, "diffuse", *diffuse, state);
     }
+    if (sums && !c.adds()) addOcclusion(c, cv, *sums, *filtered);
     if (specular) {
         PassInputs in;
         in.samplers = {{"pyramidMap", textures.pyramid()}, {"latlongMap", textures.latlong()}};
         addLobes(c, in);
         if (plan.suns) in.defines.push_back("HAS_SUNS");
         if (c.shadesSuns()) addSunVisibility(c, in);
+        if (plan.lobes) {
+            in.defines.push_back("HAS_LOBES");
+            if (c.adds()) in.defines.push_back("LOBES_UNOCCLUDED");
+            in.samplers.push_back({"lobeSeenMap", filtered->textures[1].get()});
+        }
         osg::StateSet& state = passState(c, "specular", in);
         if (plan.suns) addSuns(state, textures);
         addPass(c, cv, "specular", *specular, state);
@@ -154,7 +159,6 @@ void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
         addAccumulation(c, cv);
         return;
     }
-    if (sums) addOcclusion(c, cv, *sums, *filtered);
     if (blocks) addBounce(c, cv, *blocks, *bounce);
     if (c.still) addStillPicture(c, cv);
 }
@@ -228,10 +232,15 @@ void DeferredTechnique::addOcclusion(Cull& c, osgUtil::CullVisitor& cv, Target& 
     static const char* const methods[] = {"OCCLUSION_SLICES", "OCCLUSION_RAYS", "OCCLUSION_POINTS", "OCCLUSION_HORIZONS",
                                           "OCCLUSION_BENT_NORMAL"};
     if (plan.screen) in.defines.push_back(methods[plan.atlas ? Settings::SLICE : c.settings.occlusionMethod]);
+    if (plan.lobes) in.defines.push_back("HAS_LOBES");
     addPass(c, cv, "occlusion", sums, passState(c, "occlusion", in), places);
     PassInputs filter;
     if (c.settings.combine == Settings::SUBTRACT) filter.defines.push_back("COMBINE_SUBTRACT");
     filter.samplers = {{"numMap", sums.textures[0].get()}, {"denMap", sums.textures[1].get()}};
+    if (plan.lobes) {
+        filter.defines.push_back("HAS_LOBES");
+        filter.samplers.push_back({"lobeMap", sums.textures[2].get()});
+    }
     addPass(c, cv, "filter", filtered, passState(c, "filter", filter));
 }
 
@@ -247,6 +256,10 @@ DeferredTechnique::PassInputs DeferredTechnique::pictureInputs(Cull& c)
     };
     addTerm(plan.specular, "HAS_SPECULAR", "specularTermMap", "specular");
     addTerm(plan.bounce, "HAS_BOUNCE", "bounceMap", "bouncesum");
+    if (plan.bounce && plan.lobes) {
+        in.defines.push_back("HAS_LOBES");
+        in.samplers.push_back({"blockedLobeMap", c.view.target("specular", {}).textures[1].get()});
+    }
     if (c.settings.background != Settings::BACKGROUND_OFF) in.defines.push_back("BACKGROUND");
     if (c.settings.background == Settings::BACKGROUND_BLUR) {
         in.defines.push_back("BACKGROUND_BLUR");

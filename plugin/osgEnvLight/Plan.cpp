@@ -83,7 +83,7 @@ Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack
     if (shadows.runs) {
         const std::string side = std::to_string(s.sunShadowSize);
         maps.reason = "maps of " + side + " x " + side + " of " + std::to_string(casters) + " drawables, drawn when they change";
-        shadows.reason = "4 points of each disc a pixel, 16 more in penumbrae";
+        shadows.reason = "2 points of each disc a pixel, 16 more in penumbrae";
     }
 
     Decision specular;
@@ -106,6 +106,8 @@ Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack
     occlusion.unless(!atlas.runs && s.visibility == Settings::VISIBILITY_ATLAS, "there is no atlas to ask");
     occlusion.unless(!atlas.runs && s.occlusionRadius <= 0.0f, "occlusionRadius is 0");
     plan.occlusion = occlusion.runs;
+    plan.lobes = specular.runs && occlusion.runs && atlas.runs;
+    if (plan.lobes) specular.reason += ", occluded by what the atlas knows";
     plan.screen = occlusion.runs && (!atlas.runs || (s.visibility != Settings::VISIBILITY_ATLAS && s.nearRadius > 0.0f));
     if (occlusion.runs) {
         const unsigned asked = carrier.given ? carrier.lights : unsigned(atlas.runs ? s.atlasLights : s.occlusionLights);

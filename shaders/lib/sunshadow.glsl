@@ -36,7 +36,7 @@ vec2 sunDiscPoint(int k, int count, int group)
 {
     float turn = (float(group) + 0.5) / 16.0;
     float shift = radicalInverse(uint(group)) + 0.03125;
-    int ring = (int(radicalInverse(uint(k)) * float(count)) + group) % count;
+    int ring = (int(radicalInverse(uint(k)) * float(count)) + group / 4) % count;
     float radius = sqrt((float(ring) + shift) / float(count));
     float angle = 6.28318531 * (float(k) + turn) / float(count);
     return radius * vec2(cos(angle), sin(angle));

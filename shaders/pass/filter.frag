@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // O, second half: num and den filtered by a box that is a multiple of the 4x4 cell, without crossing an edge, and
 // divided after the filter (systems.md E3); or, as printed in seed 000, the occluded irradiance over pi.
-#pragma import_defines(COMBINE_SUBTRACT)
+#pragma import_defines(COMBINE_SUBTRACT, HAS_LOBES)
 
 #include "lib/bilateral.glsl"
 #include "lib/constants.glsl"
@@ -10,14 +10,21 @@
 
 uniform sampler2D numMap;
 uniform sampler2D denMap;
+uniform sampler2D lobeMap;
 uniform int filterCells; // width of the box in cells
 
 layout(location = 0) out vec4 occlusion;
+#ifdef HAS_LOBES
+layout(location = 1) out vec4 lobeSeen;
+#endif
 
 void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
     occlusion = vec4(1.0);
+#ifdef HAS_LOBES
+    lobeSeen = vec4(1.0);
+#endif
     if (isBackground(p)) return;
     vec3 eye = pixelEye(p);
     vec3 n = pixelNormal(p);
@@ -26,6 +33,7 @@ void main()
     ivec2 last = ivec2(viewportSize) - 1;
     vec4 num = vec4(0.0);
     vec4 den = vec4(0.0);
+    vec2 lobe = vec2(0.0);
     float sum = 0.0;
     for (int y = -halfWidth; y <= halfWidth; ++y)
         for (int x = -halfWidth; x <= halfWidth; ++x) {
@@ -35,6 +43,9 @@ void main()
                       geometryWeight(eye, n, pixelEye(q), pixelNormal(q), footprint);
             num += w * texelFetch(numMap, q, 0);
             den += w * texelFetch(denMap, q, 0);
+#ifdef HAS_LOBES
+            lobe += w * texelFetch(lobeMap, q, 0).rg;
+#endif
             sum += w;
         }
 #ifdef COMBINE_SUBTRACT
@@ -44,4 +55,7 @@ void main()
                          den.b > 0.0 ? num.b / den.b : 1.0);
 #endif
     occlusion.a = den.a > 0.0 ? num.a / den.a : 1.0;
+#ifdef HAS_LOBES
+    lobeSeen = vec4(lobe.g > 0.0 ? lobe.r / lobe.g : 1.0);
+#endif
 }

@@ -4,7 +4,7 @@
 // flux cos over the lights it sees (num) and over all of them (den). Their filtered ratio is the visibility of D. A light is
 // blocked if the screen or its shadow map says so: bit by bit, so that no occluder counts twice [occlusion.md 4].
 // Alpha: the same sums of solid angle cos, the ambient visibility.
-#pragma import_defines(HAS_ATLAS, OCCLUSION_SLICES, OCCLUSION_RAYS, OCCLUSION_POINTS, OCCLUSION_HORIZONS, OCCLUSION_BENT_NORMAL)
+#pragma import_defines(HAS_ATLAS, OCCLUSION_SLICES, OCCLUSION_RAYS, OCCLUSION_POINTS, OCCLUSION_HORIZONS, OCCLUSION_BENT_NORMAL, HAS_LOBES)
 #if defined(OCCLUSION_HORIZONS) || defined(OCCLUSION_BENT_NORMAL)
 #define OCCLUSION_SCALAR
 #endif
@@ -31,6 +31,12 @@ uniform float sceneRadius;
 
 layout(location = 0) out vec4 num;
 layout(location = 1) out vec4 den;
+#ifdef HAS_LOBES
+layout(location = 2) out vec4 lobe; // the same two sums of solid angle times the lobe that S integrates: not the light in it,
+                                    // of which S knows more than these lights do
+// Narrower ones would hold too few of the lights.
+const float LEAST_LOBE_ALPHA = 0.3;
+#endif
 
 // The surface in a pixel, and how far it must be lifted: a tenth of a pixel, and twice the step of a 24-bit depth buffer.
 struct Receiver {
@@ -112,11 +118,24 @@ Light lightAt(int group, int i)
 }
 #endif
 
+#ifdef HAS_LOBES
+// The distribution of normals half-way to the light, unnormalized.
+float lobeOf(vec3 normal, vec3 view, vec3 light, float alpha)
+{
+    float c = dot(normal, normalize(view + light));
+    float t = c * c * (alpha * alpha - 1.0) + 1.0;
+    return 1.0 / (t * t);
+}
+#endif
+
 void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
     num = vec4(0.0);
     den = vec4(0.0);
+#ifdef HAS_LOBES
+    lobe = vec4(0.0);
+#endif
     if (isBackground(p)) return;
 
     Receiver receiver = receiverAt(p);
@@ -132,6 +151,12 @@ void main()
 #endif
 #if defined(OCCLUSION_RAYS) || defined(OCCLUSION_POINTS)
     RayMarch march = pixelRays(receiver);
+#endif
+#ifdef HAS_LOBES
+    bool glossy = pixelBrdf(p) != BRDF_LAMBERT;
+    float roughness = texelFetch(normalMap, p, 0).a;
+    float alpha = max(roughness * roughness, LEAST_LOBE_ALPHA);
+    vec3 view = -viewRay(inverseProjection, pixelNdc(p));
 #endif
 #ifdef HAS_ATLAS
     vec3 point = vec3(atlasFromEye * vec4(receiver.eye, 1.0));
@@ -158,6 +183,10 @@ void main()
         if (c <= 0.0) continue;
         vec4 e = c * vec4(light.flux, light.solidAngle);
         den += e;
+#ifdef HAS_LOBES
+        float l = glossy ? e.a * lobeOf(receiver.normal, view, light.direction, alpha) : 0.0;
+        lobe.g += l;
+#endif
 #ifdef OCCLUSION_SLICES
         if (sliceBlocks(slices, light.direction)) continue;
 #endif
@@ -176,5 +205,8 @@ void main()
         if (atlasSees(mapped, point, normal, c) < 0.5) continue;
 #endif
         num += e;
+#ifdef HAS_LOBES
+        lobe.r += l;
+#endif
     }
 }

@@ -11,6 +11,7 @@
 
 uniform sampler2D emissionMap;
 uniform sampler2D specularTermMap;
+uniform sampler2D blockedLobeMap;
 uniform sampler2D bounceMap;
 uniform sampler2D latlongMap;
 uniform sampler2D pyramidMap;
@@ -38,20 +39,29 @@ vec3 specularTerm(ivec2 p)
 #endif
 }
 
-// What other surfaces send here [indirect.md 0]: the mean radiance of what blocks light in the picture, from all directions
-// that are blocked. Surfaces count by how far they face each other, (1 - n.n')/2: a floor is lit by walls, not by itself.
-// What they send on in turn is a geometric series, at most of 20 terms' worth.
+// The mean radiance of what blocks light in the picture [indirect.md 0], seen from about d. Surfaces count by how far they face
+// it, (1 - d.n')/2: a floor is lit by walls, not by itself. What they send on in turn is a geometric series, at most of 20
+// terms' worth.
+vec3 meanRadiance(vec3 d)
+{
+    vec4 all = texelFetch(bounceMap, ivec2(0), 0);
+    vec4 facing = all;
+    for (int k = 0; k < 3; ++k) facing -= d[k] * texelFetch(bounceMap, ivec2(k + 1, 0), 0);
+    vec3 mean = facing.rgb / max(facing.a, 1e-4 * all.a);
+    return mean / (1.0 - min(texelFetch(bounceMap, ivec2(4, 0), 0).rgb / max(all.a, 1e-30), 0.95));
+}
+
+// What other surfaces send here, from all directions that are blocked.
 vec3 bounce(ivec2 p)
 {
 #ifdef HAS_BOUNCE
     vec3 n = pixelNormal(p);
-    vec4 all = texelFetch(bounceMap, ivec2(0), 0);
-    vec4 facing = all;
-    for (int k = 0; k < 3; ++k) facing -= n[k] * texelFetch(bounceMap, ivec2(k + 1, 0), 0);
-    vec3 mean = facing.rgb / max(facing.a, 1e-4 * all.a);
-    mean /= 1.0 - min(texelFetch(bounceMap, ivec2(4, 0), 0).rgb / max(all.a, 1e-30), 0.95);
     vec3 rho = texelFetch(albedoMap, p, 0).rgb * texelFetch(diffuseTermMap, p, 0).a;
-    return rho * (1.0 - ambientVisibility(p)) * mean;
+    vec3 sent = rho * (1.0 - ambientVisibility(p)) * meanRadiance(n);
+#ifdef HAS_LOBES
+    sent += texelFetch(blockedLobeMap, p, 0).rgb * meanRadiance(reflect(viewRay(inverseProjection, pixelNdc(p)), n));
+#endif
+    return sent;
 #else
     return vec3(0.0);
 #endif

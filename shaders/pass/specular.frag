@@ -3,7 +3,7 @@
 // S: the glossy term, the integral of L f_H cos [seed 000, eq. 3, first term], by filtered importance sampling
 // [Colbert, Krivanek 2008]: directions from the BRDF, each look-up as wide as the sample's share of the lobe.
 // Radiance in units of the map's mean.
-#pragma import_defines(HAS_PHONG, HAS_COOK_TORRANCE, HAS_SUNS, HAS_SUN_SHADOWS)
+#pragma import_defines(HAS_PHONG, HAS_COOK_TORRANCE, HAS_SUNS, HAS_SUN_SHADOWS, HAS_LOBES, LOBES_UNOCCLUDED)
 
 #include "lib/frame.glsl"
 #include "lib/fresnel.glsl"
@@ -27,6 +27,30 @@ uniform vec2 sampleShift;    // of the points, in a still view
 uniform float sampleFrames;  // that will be averaged: each sample is as narrow as a share of theirs
 
 layout(location = 0) out vec4 specular;
+#ifdef HAS_LOBES
+layout(location = 1) out vec4 blockedLobe; // the part of the lobe's albedo that surfaces take from the map
+uniform sampler2D lobeSeenMap;
+#endif
+
+// Share of the map's light in the lobe that reaches the pixel.
+float lobeSeen()
+{
+#ifdef HAS_LOBES
+    return texelFetch(lobeSeenMap, ivec2(gl_FragCoord.xy), 0).r;
+#else
+    return 1.0;
+#endif
+}
+
+// That of S: a still view's average takes what is blocked from it light by light.
+float shownLobe()
+{
+#ifdef LOBES_UNOCCLUDED
+    return 1.0;
+#else
+    return lobeSeen();
+#endif
+}
 
 // Below this alpha one look-up at the map's own resolution is the lobe: a texel of a 1024-wide map is wider.
 const float MIRROR_ALPHA = 0.0009;
@@ -56,7 +80,10 @@ vec3 cookTorrance(vec3 v, mat3 mapFromLocal, vec3 f0, float roughness)
     vec2 table = lobeAlbedo(roughness, v.z);
     float single = table.x + table.y;
     vec3 energy = multipleScattering(f0, single);
-    if (alpha < MIRROR_ALPHA) return fresnelSchlick(f0, v.z) * mirror(mapFromLocal * vec3(-v.x, -v.y, v.z));
+#ifdef HAS_LOBES
+    blockedLobe = vec4((1.0 - lobeSeen()) * energy * (f0 * table.x + table.y), 0.0);
+#endif
+    if (alpha < MIRROR_ALPHA) return shownLobe() * fresnelSchlick(f0, v.z) * mirror(mapFromLocal * vec3(-v.x, -v.y, v.z));
     vec3 num = vec3(0.0);
     float den = 0.0;
     for (int i = 0; i < specularSamples; ++i) {
@@ -68,7 +95,7 @@ vec3 cookTorrance(vec3 v, mat3 mapFromLocal, vec3 f0, float roughness)
         num += w * fresnelSchlick(f0, c) * filtered(mapFromLocal * l, ggxReflectionPdf(v, h, alpha));
         den += w;
     }
-    vec3 sum = den > 0.0 ? num / den * single : vec3(0.0);
+    vec3 sum = den > 0.0 ? num / den * (single * shownLobe()) : vec3(0.0);
 #ifdef HAS_SUNS
     for (int i = 0; i < sunCount; ++i) {
         vec3 s = sunDirection[i] * mapFromLocal;
@@ -86,13 +113,16 @@ vec3 phong(vec3 v, mat3 mapFromLocal, vec3 ks, float roughness)
     float n = phongExponent(roughness);
     mat3 lobe = frameAround(r);
     float scale = (n + 2.0) / (n + 1.0);
-    if (roughness * roughness < MIRROR_ALPHA) return ks * scale * v.z * mirror(mapFromLocal * r);
+#ifdef HAS_LOBES
+    blockedLobe = vec4((1.0 - lobeSeen()) * ks, 0.0);
+#endif
+    if (roughness * roughness < MIRROR_ALPHA) return shownLobe() * ks * scale * v.z * mirror(mapFromLocal * r);
     vec3 sum = vec3(0.0);
     for (int i = 0; i < specularSamples; ++i) {
         vec3 l = lobe * phongSample(n, samplePoint(i));
         if (l.z > 0.0) sum += l.z * filtered(mapFromLocal * l, phongPdf(r, l, n));
     }
-    sum *= scale / float(specularSamples);
+    sum *= shownLobe() * scale / float(specularSamples);
 #ifdef HAS_SUNS
     for (int i = 0; i < sunCount; ++i) {
         vec3 s = sunDirection[i] * mapFromLocal;
@@ -108,6 +138,9 @@ void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
     specular = vec4(0.0);
+#ifdef HAS_LOBES
+    blockedLobe = vec4(0.0);
+#endif
     if (isBackground(p)) return;
     vec4 f0 = texelFetch(specularMap, p, 0);
     int brdf = pixelBrdf(p);

@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // What each pixel sees of the suns, second half: where it and its neighbours don't all see the same, 16 points of the disc of
-// its own, and the neighbours' four as far as the penumbra is wider than they are apart: contact shadows stay sharp.
+// its own, and the neighbours' two as far as the penumbra is wider than they are apart: contact shadows stay sharp.
 #include "lib/bilateral.glsl"
 #include "pass/sunshadow.glsl"
 
@@ -23,7 +23,7 @@ vec2 seenAt(int sun, ivec2 q)
     return (sun & 1) == 0 ? v.xy : v.zw;
 }
 
-float visibilityOf(int sun, ivec2 p, SunPixel s)
+float visibilityOf(int sun, ivec2 p)
 {
     ivec2 last = ivec2(viewportSize) - 1;
     float own = seenAt(sun, p).x;
@@ -36,6 +36,7 @@ float visibilityOf(int sun, ivec2 p, SunPixel s)
             width += (1.0 - v.x) * vec2(v.y, 1.0);
         }
     if (even) return own;
+    SunPixel s = sunPixel(p);
     float reach = clamp(0.15 * width.x / max(width.y, 1e-6), 0.0, 2.0);
     vec2 sum = 16.0 * vec2(sunSeen(sun, s, 16).x, 1.0);
     if (reach <= 0.5) return sum.x / sum.y;
@@ -47,7 +48,7 @@ float visibilityOf(int sun, ivec2 p, SunPixel s)
             float w = clamp(reach + 0.5 - float(max(abs(x), abs(y))), 0.0, 1.0);
             if (w <= 0.0 || (x == 0 && y == 0) || q != clamp(q, ivec2(0), last) || isBackground(q)) continue;
             w *= geometryWeight(eye, n, pixelEye(q), pixelNormal(q), s.footprint);
-            sum += 4.0 * w * vec2(seenAt(sun, q).x, 1.0);
+            sum += 2.0 * w * vec2(seenAt(sun, q).x, 1.0);
         }
     return sum.x / sum.y;
 }
@@ -58,9 +59,8 @@ void main()
     visibility0 = vec4(1.0);
     visibility1 = vec4(1.0);
     if (isBackground(p)) return;
-    SunPixel s = sunPixel(p);
     for (int i = 0; i < sunCount; ++i) {
-        float v = visibilityOf(i, p, s);
+        float v = visibilityOf(i, p);
         if (i < 4)
             visibility0[i] = v;
         else

@@ -42,7 +42,8 @@ const double floorHeight = 8.0;
 // The disc cut into 16 parts of the same area: each holds its share of a cell's points.
 TEST(sunshadow, PointsCoverTheDiscEvenly)
 {
-    for (int count : {4, 16}) {
+    // Pairs look where penumbrae are, and may lie off the middle by a part of the disc.
+    for (const auto& [count, off] : {std::pair(2, 0.06), std::pair(16, 0.02)}) {
         glsl::vec2 mean(0.0);
         double square = 0.0;
         std::vector<int> parts(16, 0);
@@ -57,7 +58,7 @@ TEST(sunshadow, PointsCoverTheDiscEvenly)
                 const int sector = std::min(int((std::atan2(p.y, p.x) / (2.0 * glsl::PI) + 0.5) * 4.0), 3);
                 ++parts[size_t(4 * ring + sector)];
             }
-        EXPECT_LT(glm::length(mean), 0.02) << count;
+        EXPECT_LT(glm::length(mean), off) << count;
         EXPECT_NEAR(square, 0.5, 0.02) << count;
         for (int n : parts) EXPECT_EQ(n, count) << count;
     }
@@ -66,7 +67,7 @@ TEST(sunshadow, PointsCoverTheDiscEvenly)
 // A pixel's own points lie on all sides and at all radii of the disc: the mean of any half of it is off by little.
 TEST(sunshadow, PointsOfAPixelBalance)
 {
-    for (const auto& [count, most] : {std::pair(4, 0.36), std::pair(16, 0.09)})
+    for (const auto& [count, most] : {std::pair(2, 0.36), std::pair(16, 0.09)})
         for (int group = 0; group < 16; ++group) {
             glsl::vec2 mean(0.0);
             for (int k = 0; k < count; ++k) mean += glsl::sunDiscPoint(k, count, group) / double(count);

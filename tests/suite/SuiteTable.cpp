@@ -7,8 +7,8 @@ namespace suite
 namespace
 {
 
-const char* const roomsWalls = "nothing out of the picture, and no wall behind the camera, occludes on the screen";
-const char* const atriumsRoof = "roof and walls out of the picture occlude nothing on the screen";
+const char* const roomsWalls = "what comes in comes by a window, which few of the lights see; a texel of light leaks where walls meet";
+const char* const atriumsRoof = "light leaks by a texel where its walls stand on floors, into what is all but black";
 const char* const thinLegs = "legs a pixel wide, beside which the rasteriser and a ray may see another one";
 
 }  // namespace
@@ -76,7 +76,7 @@ const std::vector<Row>& rows()
         {"post", "lamps", "", {"two_sides"}},
         {"gloss", "sunset", "", {"turned", 110.0}},
         {"stairs", "forest", "", {"parallel", 0.0, true}},
-        {"canopy", "sky", "", {"fine", 0.0, false, {{"occlusionSteps", 64}, {"occlusionLights", 2048}}}},
+        {"canopy", "sky", "", {"screen", 0.0, false, {{"visibility", 1}, {"occlusionSteps", 64}, {"occlusionLights", 2048}}}},
     };
     return table;
 }
