@@ -108,12 +108,12 @@ TEST(ImageSuiteTable, OcclusionBringsThePictureNearerTheReference)
         if (r.figures[suite::TONED] > 1.05 * r.withoutOcclusion + r.noise[suite::TONED]) worse << " " << row.name();
     });
     ASSERT_GT(count, 0);
-    EXPECT_LT(with, 0.75 * without);  // .67 when written; rows that say why are left out
+    EXPECT_LT(with, 0.25 * without);  // .16 when written; rows that say why are left out
     EXPECT_EQ("", worse.str());
 }
 
-// What surfaces send each other: beside full light transport the bounce leaves less than without it. Rows on which it is worse are
-// open scenes where hardly any light is sent on, and lose a thousandth of white at most.
+// What surfaces send each other: beside full light transport the bounce leaves less than without it. Rows on which it is worse
+// are open scenes where hardly any light is sent on, and lose a thousandth of white at most.
 TEST(ImageSuiteTable, TheBounceBringsThePictureNearerFullTransport)
 {
     double with = 0.0, without = 0.0;
@@ -124,7 +124,7 @@ TEST(ImageSuiteTable, TheBounceBringsThePictureNearerFullTransport)
         if (r.figures[suite::BOUNCED] > r.withoutBounce + 0.0015 + r.noise[suite::BOUNCED]) worse << " " << row.name();
     });
     ASSERT_GT(count, 0);
-    EXPECT_LT(with, 0.75 * without);
+    EXPECT_LT(with, 0.55 * without);  // .50 when written
     EXPECT_EQ("", worse.str());
 }
 

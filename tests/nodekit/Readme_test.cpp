@@ -89,11 +89,12 @@ TEST(Readme, QuotedErrorsAreWhatIsMeasured)
     for (const auto& [scene, error] : quoted) {
         SCOPED_TRACE(scene);
         const std::string output = folder.file(scene);
-        const Outcome o = runProgram({program, ENVLIGHT_BINARY_DIR "/scenes/" + scene + ".envlight", "--quick", "--size", "256x256",
-                                      "--only", "default", "--reference-error", ".08", "-o", output});
+        const Outcome o = runProgram({program, ENVLIGHT_BINARY_DIR "/scenes/" + scene + ".envlight", "--quick", "--size",
+                                      "256x256", "--only", "default", "--reference-error", ".03", "-o", output});
         ASSERT_EQ(o.status, 0) << o.err;
         const auto report = nlohmann::json::parse(readFile(output + "/tradeoff.json"));
-        // Both digits that are quoted; the coarser reference's own noise, which is subtracted, leaves 3 % (measured: 2.4 %).
+        // Both digits that are quoted; the coarser reference's own noise, which is subtracted, leaves 3 % (measured: 2.2 %; of
+        // one with .08 it leaves 7 %).
         const double measured = 100.0 * report["points"][0]["beauty"]["tRMSE"].get<double>();
         EXPECT_NEAR(measured, error, 0.03 * error + 0.5 * std::pow(10.0, std::floor(std::log10(error)) - 1.0))
             << "run samples/tradeoff/readme";
