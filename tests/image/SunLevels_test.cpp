@@ -180,3 +180,25 @@ TEST(SunLevels, TheSunsDontChangeWithWhatDAsks)
     EXPECT_FALSE(beauty == picture(Settings::VISIBILITY_NONE, Settings::BEAUTY));
     EXPECT_TRUE(picture(Settings::VISIBILITY_AUTO, Settings::EMISSION) == picture(Settings::VISIBILITY_NONE, Settings::EMISSION));
 }
+
+// A still view goes over from a normal frame, shadows of suns included, to its average.
+TEST(SunLevels, AStillViewBeginsWithTheirShadows)
+{
+    SceneRenderer renderer(64, 64);
+    osg::ref_ptr<LitScene> lit = makeLit(sunMap(osg::Vec3d(1, 0, 1), 1.5, 0.05).get());
+    Settings& s = *lit->getSettings();
+    s.regeneration = Settings::IMMEDIATE;
+    s.suns = Settings::SUNS_AUTO;
+    s.atlasLights = 16;
+    s.accumulateSize = 256;
+    lit->addChild(makeBox(osg::Vec3d(-3, -3, -0.5), osg::Vec3d(3, 3, 0)));
+    lit->addChild(makeBox(osg::Vec3d(0, -2, 0), osg::Vec3d(0.5, 2, 1.5)));
+    lookDown(renderer, osg::Vec3d(-0.5, 0, 0), 4.0);
+    const Picture normal = renderer.render(lit, 3);
+    s.accumulate = true;
+    Picture still(64, 64);
+    for (int i = 0; i < 16 && lit->average().frames < 1; ++i) still = renderer.render(lit);
+    EXPECT_EQ(1u, lit->average().frames);
+    // A 32nd of it is the average already.
+    EXPECT_LT(rootMeanSquare(normal, still), 0.01 * ofGeometry(normal).most);
+}
