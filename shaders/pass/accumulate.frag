@@ -4,7 +4,7 @@
 // [occlusion.md 5.1]. Their average over the frames is direct light with the visibility of each direction.
 // D = num + V (U - den): U, the term D, is free of their noise, and V is how much of it to trust, a constant of the
 // view; whatever it is, the mean stays num. S - O_S likewise with V = 1: where nothing is in the way there is no noise.
-#pragma import_defines(HAS_DIFFUSE, HAS_SUNS, HAS_SPECULAR, HAS_OCCLUSION, HAS_BOUNCE, HAS_LOBES, HAS_PHONG, HAS_COOK_TORRANCE, COMBINE_SUBTRACT, BACKGROUND, BACKGROUND_BLUR)
+#pragma import_defines(HAS_PHONG, HAS_COOK_TORRANCE)
 
 #include "lib/frame.glsl"
 #include "lib/fresnel.glsl"

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 // First step to the mean radiosity of what blocks light, estimated from the picture where light is blocked [indirect.md 0, 2]:
 // one texel for each block of the picture. No history: still frames stay the same to the bit.
-#pragma import_defines(HAS_DIFFUSE, HAS_SUNS, HAS_SUN_SHADOWS, HAS_OCCLUSION, COMBINE_SUBTRACT)
 
 #include "pass/gbuffer.glsl"
 #include "pass/terms.glsl"

@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // The picture, or any intermediate in its place, into the host's own colour and depth.
-#pragma import_defines(HAS_DIFFUSE, HAS_SUNS, HAS_SUN_SHADOWS, HAS_SPECULAR, HAS_OCCLUSION, HAS_BOUNCE, HAS_LOBES, COMBINE_SUBTRACT, BACKGROUND, BACKGROUND_BLUR, ACCUMULATED, VIEW_TERM, OUTPUT_LINEAR)
+#pragma import_defines(HAS_SUN_SHADOWS, HAS_OCCLUSION, BACKGROUND, ACCUMULATED, VIEW_TERM)
 
 #include "pass/display.glsl"
 #include "pass/picture.glsl"

@@ -2,6 +2,7 @@
 // From scene-linear radiance to what the host draws to.
 #ifndef DISPLAY_GLSL
 #define DISPLAY_GLSL
+#pragma import_defines(OUTPUT_LINEAR)
 
 #include "lib/sequence.glsl"
 #include "lib/tone.glsl"

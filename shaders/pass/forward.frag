@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Transparent surfaces of the host, drawn after the composite in its own bins: the same environment functions, one
 // look-up for the lobe in place of the importance samples, no occlusion.
-#pragma import_defines(NO_TEXTURE, LINEAR_TEXTURE, TEXTURE_REPLACE, UNLIT, VERTEX_COLOR, FACE_NORMAL, PHONG_MATERIAL, ENVLIGHT_LAMBERT, ENVLIGHT_PHONG, ENVLIGHT_COOK_TORRANCE, OUTPUT_LINEAR, HAS_SUNS, SUN_DIFFUSE)
+#pragma import_defines(HAS_SUNS, SUN_DIFFUSE)
 
 #include "lib/frame.glsl"
 #include "lib/octahedral.glsl"

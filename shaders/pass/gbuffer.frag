@@ -1,7 +1,6 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // Fills the G-buffer. Output 0 is the albedo with the surface's alpha, because the fixed-function alpha test reads it.
-#pragma import_defines(NO_TEXTURE, LINEAR_TEXTURE, TEXTURE_REPLACE, UNLIT, VERTEX_COLOR, FACE_NORMAL, PHONG_MATERIAL, ENVLIGHT_LAMBERT, ENVLIGHT_PHONG, ENVLIGHT_COOK_TORRANCE)
 
 #include "pass/surface.glsl"
 

@@ -3,7 +3,7 @@
 // S: the glossy term, the integral of L f_H cos [seed 000, eq. 3, first term], by filtered importance sampling
 // [Colbert, Krivanek 2008]: directions from the BRDF, each look-up as wide as the sample's share of the lobe.
 // Radiance in units of the map's mean.
-#pragma import_defines(HAS_PHONG, HAS_COOK_TORRANCE, HAS_SUNS, HAS_SUN_SHADOWS, HAS_LOBES, LOBES_UNOCCLUDED)
+#pragma import_defines(HAS_PHONG, HAS_COOK_TORRANCE, HAS_SUNS, HAS_LOBES, LOBES_UNOCCLUDED)
 
 #include "lib/frame.glsl"
 #include "lib/fresnel.glsl"

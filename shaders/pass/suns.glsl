@@ -2,6 +2,7 @@
 // The suns that were cut from the map: discs of even radiance, in its frame and in units of its mean.
 #ifndef SUNS_GLSL
 #define SUNS_GLSL
+#pragma import_defines(HAS_SUN_SHADOWS)
 
 #include "lib/sun.glsl"
 

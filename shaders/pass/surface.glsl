@@ -3,6 +3,7 @@
 // are linear; colours in 8-bit images are sRGB encoded.
 #ifndef SURFACE_GLSL
 #define SURFACE_GLSL
+#pragma import_defines(ENVLIGHT_COOK_TORRANCE, ENVLIGHT_LAMBERT, ENVLIGHT_PHONG, FACE_NORMAL, VERTEX_COLOR, UNLIT, NO_TEXTURE, LINEAR_TEXTURE, TEXTURE_REPLACE, PHONG_MATERIAL)
 
 #include "lib/depth.glsl"
 #include "lib/phong.glsl"

@@ -2,6 +2,7 @@
 // The diffuse terms as radiance, read from what their passes left.
 #ifndef TERMS_GLSL
 #define TERMS_GLSL
+#pragma import_defines(HAS_DIFFUSE, HAS_SUNS, HAS_SUN_SHADOWS, HAS_OCCLUSION, COMBINE_SUBTRACT)
 
 uniform sampler2D diffuseTermMap;
 uniform sampler2D sunDiffuseMap;

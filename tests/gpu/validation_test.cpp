@@ -5,6 +5,7 @@
 
 #include <osgEnvLight/ShaderLibrary>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -41,7 +42,8 @@ Defines imported(const std::string& text)
     Defines result;
     for (std::sregex_iterator p(text.begin(), text.end(), pragma), none; p != none; ++p) {
         const std::string list = (*p)[1].str();
-        for (std::sregex_iterator w(list.begin(), list.end(), word); w != none; ++w) result.push_back(w->str());
+        for (std::sregex_iterator w(list.begin(), list.end(), word); w != none; ++w)
+            if (std::find(result.begin(), result.end(), w->str()) == result.end()) result.push_back(w->str());
     }
     return result;
 }

@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <regex>
+#include <set>
 #include <stdexcept>
 
 using osgEnvLight::ShaderLibrary;
@@ -53,6 +55,14 @@ size_t occurrences(const std::string& text, const std::string& word)
 unsigned driverLine(const std::string& text, const std::string& word)
 {
     return unsigned(std::count(text.begin(), text.begin() + long(text.find(word)), '\n')) + 1;
+}
+
+std::set<std::string> matches(const std::string& text, const std::string& pattern)
+{
+    const std::regex regex(pattern);
+    std::set<std::string> result;
+    for (std::sregex_iterator m(text.begin(), text.end(), regex), none; m != none; ++m) result.insert((*m)[1].str());
+    return result;
 }
 
 std::string failureOf(const std::string& name)
@@ -190,4 +200,24 @@ TEST(ShaderLibrary, AnotherVertexShaderIsAnotherProgram)
     const osg::ref_ptr<osg::Program> a = shaders->program("pass/surface.vert", "pass/gbuffer.frag");
     EXPECT_NE(a, shaders->program("pass/surface.vert", "pass/forward.frag"));
     EXPECT_EQ(a, shaders->program("pass/surface.vert", "pass/gbuffer.frag"));
+}
+
+// A define that a text asks for and nobody imports is never there: OSG sets those alone that a shader names.
+TEST(ShaderLibrary, EveryTextImportsTheDefinesItAsksFor)
+{
+    unsigned asking = 0;
+    for (const std::string& name : ShaderLibrary::names()) {
+        const std::string text = library()->expand(name).text;
+        const std::set<std::string> own = matches(text, "#define +(\\w+)");
+        std::set<std::string> imported;
+        for (const std::string& list : matches(text, "#pragma import_defines\\(([^)]*)\\)"))
+            imported.merge(matches(list, "(\\w+)"));
+        std::set<std::string> asked;
+        for (const std::string& line : matches(text, "(#(?:if|elif)[^\n]*)"))
+            for (const std::string& word : matches(line, "\\b([A-Z][A-Z0-9_]+)\\b"))
+                if (!own.count(word)) asked.insert(word);
+        EXPECT_EQ(asked, imported) << name;
+        asking += !asked.empty();
+    }
+    EXPECT_GT(asking, 10u);
 }
