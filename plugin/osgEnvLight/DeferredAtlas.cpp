@@ -2,9 +2,6 @@
 // When the sky shadow atlas of a view is drawn, and with what.
 #include <osgEnvLight/DeferredTechnique>
 
-#include <osg/ColorMask>
-#include <osg/CullFace>
-#include <osg/Depth>
 #include <osgUtil/CullVisitor>
 #include <osgViewer/View>
 
@@ -14,61 +11,11 @@ namespace osgEnvLight
 namespace
 {
 
-const unsigned on = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
-
 // Where the first frame draws all maps at once instead of a few a frame: as many triangles as a frame of a large model has,
 // 256 maps of 40 000 drawn twice.
 const double firstFrameTriangles = 2e7;
 
-// Filled up with dark lights.
-LightList inWorld(const LightList& lights, const osg::Matrixd& mapFromWorld, unsigned count)
-{
-    const osg::Matrixd worldFromMap = osg::Matrixd::inverse(mapFromWorld);
-    LightList result = lights;
-    result.resize(count, DirectionalLight{osg::Vec3d(0, 0, 1), osg::Vec3d()});
-    for (DirectionalLight& light : result) {
-        light.direction = light.direction * worldFromMap;
-        light.direction.normalize();
-    }
-    return result;
-}
-
-void bind(osg::StateSet& stateSet, unsigned unit, const char* name, osg::Texture* texture)
-{
-    stateSet.setTextureAttribute(unit, texture, on);
-    stateSet.addUniform(new osg::Uniform(name, int(unit)), on);
-}
-
 }  // namespace
-
-AtlasRefresh::States DeferredTechnique::atlasStates(Cull& c, const std::string& name, ShadowAtlas& atlas)
-{
-    AtlasRefresh::States states;
-    for (const bool second : {false, true}) {
-        ViewData::State state = c.view.state(name + (second ? " casters second" : " casters first"));
-        osg::StateSet& s = state.stateSet;
-        (second ? states.second : states.first) = &s;
-        if (!state.isNew) continue;
-        s.setAttribute(_library->program("pass/caster.vert", "pass/caster.frag"), on);
-        s.setAttributeAndModes(new osg::Depth(osg::Depth::LESS, 0, 1, true), on);
-        s.addUniform(new osg::Uniform("baseColorMap", 0));
-        if (!second) continue;
-        s.setDefine("CASTER_SECOND");
-        s.setAttribute(new osg::ColorMask(false, false, false, false), on);
-        bind(s, 1, "firstDepthMap", atlas.firstDepth());
-    }
-    ViewData::State state = c.view.state(name + " midpoint");
-    states.midpoints = &state.stateSet;
-    if (state.isNew) {
-        osg::StateSet& s = state.stateSet;
-        s.setAttribute(_library->program("pass/fullscreen.vert", "pass/midpoint.frag"), on);
-        s.setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0, 1, false), osg::StateAttribute::OFF);
-        bind(s, 0, "firstDepthMap", atlas.firstDepth());
-        bind(s, 1, "secondDepthMap", atlas.secondDepth());
-        bind(s, 2, "firstSlopeMap", atlas.firstSlope());
-    }
-    return states;
-}
 
 ViewData::Atlas& DeferredTechnique::skyAtlas(Cull& c)
 {
@@ -103,16 +50,11 @@ void DeferredTechnique::refreshAtlas(Cull& c, osgUtil::CullVisitor& cv, const st
                                      const LightList& list, unsigned budget)
 {
     ShadowAtlas& atlas = *own.maps;
-    const std::vector<ShadowRefresh> refreshes = atlas.update(inWorld(list, c.mapFromWorld, atlas.lights), budget);
+    LightList lights = inWorld(c, list);
+    lights.resize(atlas.lights, DirectionalLight{osg::Vec3d(0, 0, 1), osg::Vec3d()});  // dark ones
+    const std::vector<ShadowRefresh> refreshes = atlas.update(lights, budget);
     if (refreshes.empty()) return;
-    Frame& f = c.frame;
-    osg::ref_ptr<AtlasRefresh>& refresh = f.atlasRefreshes[name];
-    if (!refresh) refresh = new AtlasRefresh(name, &c.view.timer(name));
-    refresh->prepare(atlas.targets(), refreshes, atlas.drawn(), atlasStates(c, name, atlas), c.timed);
-    osg::ref_ptr<Pass>& pass = f.passes[name];
-    if (!pass) pass = new Pass(refresh.get());
-    pass->add(c.host, *own.camera, *c.view.viewport(), c.view.state(name).stateSet, *f.uniforms, cv.getProjectionMatrix(),
-              cv.getModelViewMatrix());
+    addRefresh(c, cv, name, "pass/midpoint.frag", *own.camera, atlas.targets(), refreshes, atlas.drawn());
 }
 
 }  // namespace osgEnvLight

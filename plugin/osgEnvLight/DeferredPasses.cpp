@@ -128,10 +128,7 @@ void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
             in.samplers.push_back({"diffuseLightMap", textures.diffuseLights()});
         else
             in.defines.push_back(plan.diffuseHarmonics == 9 ? "DIFFUSE_SH_9" : "DIFFUSE_SH_18");
-        if (plan.surfaces.cookTorrance) {
-            in.defines.push_back("HAS_COOK_TORRANCE");
-            in.samplers.push_back({"albedoTable", albedoTable()});
-        }
+        addLobes(c, in);
         if (plan.sunDiffuse) in.defines.push_back("HAS_SUNS");
         if (plan.sunDiffuse && c.shadesSuns()) addSunVisibility(c, in);
         osg::StateSet& state = passState(c, "diffuse", in);

@@ -2,7 +2,6 @@
 #include <osgEnvLight/ShadowAtlas>
 
 #include <osgEnvLight/CasterMesh>
-#include <osgEnvLight/GBuffer>
 #include <osgEnvLight/MapSequence>
 #include <osgEnvLight/SolidAngles>
 
@@ -21,19 +20,6 @@ namespace
 const double movedLight = 1e-4;
 const double anotherLight = 0.2;
 
-osg::ref_ptr<osg::FrameBufferObject> makeTarget(osg::Texture2D* color, osg::Texture2D* depth)
-{
-    osg::ref_ptr<osg::FrameBufferObject> target = new osg::FrameBufferObject;
-    target->setAttachment(osg::Camera::COLOR_BUFFER0, osg::FrameBufferAttachment(color));
-    if (depth) target->setAttachment(osg::Camera::DEPTH_BUFFER, osg::FrameBufferAttachment(depth));
-    return target;
-}
-
-bool contains(const osg::BoundingBoxd& outer, const osg::BoundingBoxd& inner)
-{
-    return outer.valid() && outer.contains(inner._min) && outer.contains(inner._max);
-}
-
 bool sameLights(const LightList& a, const LightList& b)
 {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const DirectionalLight& x, const DirectionalLight& y) {
@@ -41,27 +27,13 @@ bool sameLights(const LightList& a, const LightList& b)
     });
 }
 
-double diagonal(const osg::BoundingBoxd& box)
-{
-    return (box._max - box._min).length();
-}
-
 }  // namespace
 
-ShadowAtlas::ShadowAtlas(unsigned lightCount, unsigned mapSize)
-    : lights(lightCount),
-      size(mapSize),
-      batch(std::clamp(1024u / mapSize, 1u, 8u)),
-      _maps(lightCount),
-      _columns(unsigned(std::ceil(std::sqrt(double(lightCount))))),
-      _midpoints(targetTexture(int(_columns * size), int((lights + _columns - 1) / _columns * size), GL_R16)),
-      _firstDepth(targetTexture(int(batch * size), int(size), GL_DEPTH_COMPONENT24)),
-      _firstSlope(targetTexture(int(batch * size), int(size), GL_R16F)),
-      _secondDepth(targetTexture(int(batch * size), int(size), GL_DEPTH_COMPONENT24)),
-      _target(makeTarget(_midpoints.get(), nullptr)),
-      _firstTarget(makeTarget(_firstSlope.get(), _firstDepth.get())),
-      _secondTarget(makeTarget(_firstSlope.get(), _secondDepth.get()))
+ShadowAtlas::ShadowAtlas(unsigned lightCount, unsigned mapSize) : lights(lightCount), size(mapSize), _maps(lightCount)
 {
+    const auto columns = unsigned(std::ceil(std::sqrt(double(lights))));
+    const unsigned batch = std::clamp(1024u / size, 1u, 8u);
+    _targets = ShadowTargets(size, columns, (lights + columns - 1) / columns, batch, GL_R16, GL_R16F);
 }
 
 // The bound stays while it fits: a caster that wanders within it moves no map.
@@ -72,8 +44,8 @@ void ShadowAtlas::fit(const std::vector<Caster>& casters)
     const double margin = 0.02 * diagonal(bound);
     const osg::Vec3d more(margin, margin, margin);
     _box = osg::BoundingBoxd(bound._min - more, bound._max + more);
-    if ((_box.center() - _origin).length() < 16.0 * diagonal(_box) && _version > 0) return;
-    _origin = _box.center();  // floats about it keep their digits
+    if ((_box.center() - _targets.origin).length() < 16.0 * diagonal(_box) && _version > 0) return;
+    _targets.origin = _box.center();  // floats about it keep their digits
     for (Map& map : _maps) map.drawn = false;
 }
 
@@ -102,7 +74,7 @@ osg::Matrixd ShadowAtlas::projection(const Map& map) const
 {
     osg::Matrixd m;
     const osg::Vec3d axes[] = {map.across / map.radius, map.up / map.radius, -map.along / map.radius};
-    const osg::Vec3d center = map.center - _origin;
+    const osg::Vec3d center = map.center - _targets.origin;
     for (int column = 0; column < 3; ++column) {
         for (int row = 0; row < 3; ++row) m(row, column) = axes[column].ptr()[row];
         m(3, column) = -(center * axes[column]);
@@ -134,7 +106,7 @@ void ShadowAtlas::setCasters(const std::vector<Caster>& casters)
 
 void ShadowAtlas::merge()
 {
-    _merged = mergeCasters(_casters, _origin, 0.5 * diagonal(_box) / size);
+    _merged = mergeCasters(_casters, _targets.origin, 0.5 * diagonal(_box) / size);
     _triangles = _merged->getPrimitiveSet(0)->getNumIndices() / 3;
     for (const Caster& caster : _casters)
         if (caster.state) _triangles += trianglesOf({caster});
@@ -143,7 +115,7 @@ void ShadowAtlas::merge()
 std::vector<Caster> ShadowAtlas::drawn()
 {
     if (!_merged) return _casters;
-    std::vector<Caster> result = {{_merged, osg::Matrixd::translate(_origin), nullptr, 0}};
+    std::vector<Caster> result = {{_merged, osg::Matrixd::translate(_targets.origin), nullptr, 0}};
     for (const Caster& caster : _casters)
         if (caster.state) result.push_back(caster);
     return result;
@@ -197,7 +169,7 @@ osg::ref_ptr<osg::Image> ShadowAtlas::lightImage(double scale) const
     for (unsigned i = 0; i < lights; ++i) {
         const Map& map = _maps[i];
         const osg::Vec3d along = map.drawn ? map.along : _list[i].direction;
-        const osg::Vec3d center = map.center - _origin;
+        const osg::Vec3d center = map.center - _targets.origin;
         const double height = map.drawn ? 0.5 / map.radius : 1.0;
         const double texels = height * size;
         write(i, 0, map.across * texels, 0.5 * size - center * map.across * texels);
@@ -217,27 +189,23 @@ double ShadowAtlas::texel() const
 
 void ShadowAtlas::resizeGLObjectBuffers(unsigned maximum)
 {
-    for (osg::Texture2D* t : {_midpoints.get(), _firstDepth.get(), _firstSlope.get(), _secondDepth.get()})
-        t->resizeGLObjectBuffers(maximum);
+    _targets.resizeGLObjectBuffers(maximum);
     if (_merged) _merged->resizeGLObjectBuffers(maximum);
-    for (osg::FrameBufferObject* f : {_target.get(), _firstTarget.get(), _secondTarget.get()}) f->resizeGLObjectBuffers(maximum);
 }
 
 void ShadowAtlas::releaseGLObjects(osg::State* state) const
 {
-    for (osg::Texture2D* t : {_midpoints.get(), _firstDepth.get(), _firstSlope.get(), _secondDepth.get()})
-        t->releaseGLObjects(state);
+    _targets.releaseGLObjects(state);
     if (_merged) _merged->releaseGLObjects(state);
-    for (osg::FrameBufferObject* f : {_target.get(), _firstTarget.get(), _secondTarget.get()}) f->releaseGLObjects(state);
     _lost = true;
 }
 
 size_t ShadowAtlas::bytes() const
 {
     const size_t map = size_t(size) * size;
-    const size_t rows = (lights + _columns - 1) / _columns;
+    const size_t rows = (lights + _targets.columns - 1) / _targets.columns;
     const size_t mesh = _merged ? _merged->getVertexArray()->getTotalDataSize() + 12 * _triangles : 0;
-    return 2 * map * _columns * rows + (4 + 2 + 4) * map * batch + mesh;
+    return 2 * map * _targets.columns * rows + (4 + 2 + 4) * map * _targets.batch + mesh;
 }
 
 }  // namespace osgEnvLight

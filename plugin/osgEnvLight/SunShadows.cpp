@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgEnvLight/SunShadows>
 
-#include <osgEnvLight/GBuffer>
 #include <osgEnvLight/MapTextures>
 
 #include <algorithm>
@@ -18,19 +17,6 @@ namespace
 const double coarsest = 1.0;  // pixels of the view that a texel may be wide
 const double spare = 1.25;    // a level's side, in sides of what it must show: how far the view may wander
 
-osg::ref_ptr<osg::FrameBufferObject> makeTarget(osg::Texture2D* color, osg::Texture2D* depth)
-{
-    osg::ref_ptr<osg::FrameBufferObject> target = new osg::FrameBufferObject;
-    target->setAttachment(osg::Camera::COLOR_BUFFER0, osg::FrameBufferAttachment(color));
-    if (depth) target->setAttachment(osg::Camera::DEPTH_BUFFER, osg::FrameBufferAttachment(depth));
-    return target;
-}
-
-double diagonal(const osg::BoundingBoxd& box)
-{
-    return (box._max - box._min).length();
-}
-
 // Up to which depth texels are wider than the view's pixels ask for; 0 where none are.
 double depthOfWideTexels(double texel, const SunView& view, const VisibleBoxes& boxes)
 {
@@ -44,11 +30,6 @@ double depthOfWideTexels(double texel, const SunView& view, const VisibleBoxes& 
 double level(double wanted, double whole)
 {
     return whole * std::exp2(std::min(std::ceil(std::log2(std::max(wanted / whole, 1e-6))), 0.0));
-}
-
-bool contains(const osg::BoundingBoxd& outer, const osg::BoundingBoxd& inner)
-{
-    return outer.valid() && outer.contains(inner._min) && outer.contains(inner._max);
 }
 
 // The first two axes' bounds, without extent along the third.
@@ -96,17 +77,7 @@ std::array<osg::Vec3d, 3> narrowestAxes(const osg::BoundingBoxd& box, const osg:
 }  // namespace
 
 SunShadows::SunShadows(unsigned sunCount, unsigned levelCount, unsigned mapSize)
-    : suns(sunCount),
-      levels(levelCount),
-      size(mapSize),
-      _suns(sunCount),
-      _maps(targetTexture(int(levels * size), int(suns * size), GL_RG32F)),
-      _firstDepth(targetTexture(int(size), int(size), GL_DEPTH_COMPONENT24)),
-      _firstSlope(targetTexture(int(size), int(size), GL_R32F)),
-      _secondDepth(targetTexture(int(size), int(size), GL_DEPTH_COMPONENT24)),
-      _target(makeTarget(_maps.get(), nullptr)),
-      _firstTarget(makeTarget(_firstSlope.get(), _firstDepth.get())),
-      _secondTarget(makeTarget(_firstSlope.get(), _secondDepth.get()))
+    : suns(sunCount), levels(levelCount), size(mapSize), _suns(sunCount), _targets(size, levels, suns, 1, GL_RG32F, GL_R32F)
 {
 }
 
@@ -133,7 +104,7 @@ bool SunShadows::fitScene(const std::vector<Caster>& casters)
     const double margin = 0.02 * diagonal(bound);
     const osg::Vec3d more(margin, margin, margin);
     _box = osg::BoundingBoxd(bound._min - more, bound._max + more);
-    _origin = _box.center();  // floats about it keep their digits
+    _targets.origin = _box.center();  // floats about it keep their digits
     return true;
 }
 
@@ -143,7 +114,7 @@ void SunShadows::place(Sun& sun, const osg::Vec3d& direction) const
     sun.low = 1e300;
     sun.high = -1e300;
     for (const osg::Vec3d& c : cornersOf(_box)) {
-        const double height = (c - _origin) * sun.axes[2];
+        const double height = (c - _targets.origin) * sun.axes[2];
         sun.low = std::min(sun.low, height);
         sun.high = std::max(sun.high, height);
     }
@@ -214,7 +185,7 @@ ShadowRefresh SunShadows::refresh(unsigned index, unsigned level) const
     const Sun& sun = _suns[index];
     const Rectangle& r = sun.rectangles[level];
     const double depth = 0.5 * (sun.high - sun.low);
-    const double center[] = {r.center.x() - _origin * sun.axes[0], r.center.y() - _origin * sun.axes[1],
+    const double center[] = {r.center.x() - _targets.origin * sun.axes[0], r.center.y() - _targets.origin * sun.axes[1],
                              0.5 * (sun.low + sun.high)};
     const double scale[] = {2.0 / r.sides.x(), 2.0 / r.sides.y(), -1.0 / depth};
     osg::Matrixd m;
@@ -274,7 +245,7 @@ void SunShadows::setUniforms(osg::StateSet& stateSet) const
         for (unsigned k = 0; k < maximumLevels; ++k) {
             const Rectangle& r = sun.rectangles[k];
             const osg::Vec2d scale = r.exists() ? osg::Vec2d(size / r.sides.x(), size / r.sides.y()) : osg::Vec2d();
-            const osg::Vec2d center = r.center - osg::Vec2d(_origin * sun.axes[0], _origin * sun.axes[1]);
+            const osg::Vec2d center = r.center - osg::Vec2d(_targets.origin * sun.axes[0], _targets.origin * sun.axes[1]);
             places->setElement(maximumLevels * i + k,
                                osg::Vec4f(float(scale.x()), float(scale.y()), float(0.5 * size - center.x() * scale.x()),
                                           float(0.5 * size - center.y() * scale.y())));
@@ -284,15 +255,12 @@ void SunShadows::setUniforms(osg::StateSet& stateSet) const
 
 void SunShadows::resizeGLObjectBuffers(unsigned maximum)
 {
-    for (osg::Texture2D* t : {_maps.get(), _firstDepth.get(), _firstSlope.get(), _secondDepth.get()})
-        t->resizeGLObjectBuffers(maximum);
-    for (osg::FrameBufferObject* f : {_target.get(), _firstTarget.get(), _secondTarget.get()}) f->resizeGLObjectBuffers(maximum);
+    _targets.resizeGLObjectBuffers(maximum);
 }
 
 void SunShadows::releaseGLObjects(osg::State* state) const
 {
-    for (osg::Texture2D* t : {_maps.get(), _firstDepth.get(), _firstSlope.get(), _secondDepth.get()}) t->releaseGLObjects(state);
-    for (osg::FrameBufferObject* f : {_target.get(), _firstTarget.get(), _secondTarget.get()}) f->releaseGLObjects(state);
+    _targets.releaseGLObjects(state);
     _lost = true;
 }
 

@@ -166,7 +166,7 @@ ViewData::Atlas& ViewData::atlas(const std::string& pass, unsigned lights, unsig
     if (!atlas.maps || atlas.maps->lights != lights || atlas.maps->size != size) {
         atlas.maps = new ShadowAtlas(lights, size);
         atlas.camera = new StageCamera;
-        BindTargets::install(*atlas.camera, atlas.maps->target(), nullptr, _failure.get());
+        BindTargets::install(*atlas.camera, atlas.maps->targets().maps, nullptr, _failure.get());
         _states.clear();  // those that read the former one
     }
     return atlas;
