@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "glsl.h"
 
@@ -16,7 +17,7 @@ namespace osgEnvLight
 namespace
 {
 
-// A map whose light has moved by more than this [chord] is drawn again; further than the second, it shows another light.
+// A map whose light has moved by more than this [chord] is drawn again; if further than the second, it is another light's.
 const double movedLight = 1e-4;
 const double anotherLight = 0.2;
 
@@ -25,6 +26,18 @@ bool sameLights(const LightList& a, const LightList& b)
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const DirectionalLight& x, const DirectionalLight& y) {
         return x.direction == y.direction && x.flux == y.flux;
     });
+}
+
+double sumOf(const osg::Vec3d& flux)
+{
+    return flux[0] + flux[1] + flux[2];
+}
+
+double fluxOf(const LightList& list)
+{
+    double sum = 0.0;
+    for (const DirectionalLight& light : list) sum += sumOf(light.flux);
+    return sum;
 }
 
 }  // namespace
@@ -84,9 +97,10 @@ osg::Matrixd ShadowAtlas::projection(const Map& map) const
 
 double ShadowAtlas::priority(const Map& map, const osg::Vec3d& flux) const
 {
-    const double sum = flux[0] + flux[1] + flux[2];
+    const double sum = sumOf(flux);
     if (!(sum > 0.0)) return 0.0;
     if (!map.drawn) return 1e6 * sum;
+    if (map.former) return 1e3 * sum;
     return map.outdated ? sum * (1.0 + map.age) : 0.0;
 }
 
@@ -121,15 +135,35 @@ std::vector<Caster> ShadowAtlas::drawn()
     return result;
 }
 
+// A light that has moved little keeps its map and has its new flux. Where one is elsewhere now, the former and its map stay until
+// the new one's is drawn, as bright beside the rest as it was: the light comes over map by map.
+void ShadowAtlas::setLights(const LightList& list)
+{
+    const double before = fluxOf(_list);
+    const double factor = before > 0.0 ? fluxOf(list) / before : 1.0;
+    const std::vector<double> angles = solidAngles(list);
+    for (unsigned i = 0; i < lights; ++i) {
+        Map& map = _maps[i];
+        map.former = map.drawn && (list[i].direction - map.along).length() > anotherLight;
+        if (map.former)
+            map.flux *= factor;
+        else
+            std::tie(map.flux, map.solidAngle) = std::tie(list[i].flux, angles[i]);
+    }
+    _list = list;
+    _solidAngles = angles;
+}
+
 std::vector<ShadowRefresh> ShadowAtlas::update(const LightList& list, unsigned budget)
 {
     if (_lost.exchange(false))
         for (Map& map : _maps) map.drawn = false;
+    const bool changed = !sameLights(list, _list);
+    if (changed) setLights(list);
     std::vector<std::pair<double, unsigned>> wanted;
     for (unsigned i = 0; i < lights; ++i) {
         Map& map = _maps[i];
         const double step = (list[i].direction - map.along).length();
-        if (step > anotherLight) map.drawn = false;
         map.outdated = map.outdated || _moved || step > movedLight;
         map.age = map.outdated ? map.age + 1 : 0;
         const double p = priority(map, list[i].flux);
@@ -144,15 +178,12 @@ std::vector<ShadowRefresh> ShadowAtlas::update(const LightList& list, unsigned b
         place(map, wanted[k].second, list[wanted[k].second].direction);
         map.drawn = true;
         map.outdated = false;
+        map.former = false;
+        map.flux = list[wanted[k].second].flux;
+        map.solidAngle = _solidAngles[wanted[k].second];
         refreshes.push_back({wanted[k].second, projection(map)});
     }
-    if (!refreshes.empty() || !sameLights(list, _list)) {
-        if (!sameLights(list, _list)) {
-            _list = list;
-            _solidAngles = solidAngles(_list);
-        }
-        ++_version;
-    }
+    if (changed || !refreshes.empty()) ++_version;
     return refreshes;
 }
 
@@ -175,7 +206,10 @@ osg::ref_ptr<osg::Image> ShadowAtlas::lightImage(double scale) const
         write(i, 0, map.across * texels, 0.5 * size - center * map.across * texels);
         write(i, 1, map.up * texels, 0.5 * size - center * map.up * texels);
         write(i, 2, along * height, 0.5 - center * along * height);
-        write(i, 3, _list[i].flux * scale, (map.drawn ? 1.0 : -1.0) * std::max(_solidAngles[i], 1e-6));
+        if (map.drawn)
+            write(i, 3, map.flux * scale, std::max(map.solidAngle, 1e-6));
+        else
+            write(i, 3, _list[i].flux * scale, -std::max(_solidAngles[i], 1e-6));
     }
     return image;
 }

@@ -196,3 +196,69 @@ TEST(Stability, ShadowsOfColouredLightsHaveTheirColours)
             << ours[0] << " " << ours[2] << ", expected " << expected[0] << " " << expected[2];
     }
 }
+
+// A map that turns by .7 degrees a frame [occlusion.md 5], of whose shadow maps a few are drawn in each: the light on the floor
+// goes on without steps. Each light's shadow moves by .02 of its caster's height a frame; a fresh list would give .02 and more.
+TEST(Stability, ATurningMapsShadowsGoOnWithoutSteps)
+{
+    SceneRenderer renderer(96, 96);
+    osg::ref_ptr<LitScene> lit = courtyard(lopsidedMap().get());
+    lit->getSettings()->regeneration = Settings::BACKGROUND;
+    renderer.lookAt(osg::Vec3d(-1, -8, 6), osg::Vec3d());
+    const std::vector<osg::Vec3d> points = floorPoints();
+    std::vector<double> light[3];
+    double worst = 0.0;
+    for (int f = 0; f < 40; ++f) {
+        lit->getEnvironmentMap()->setRotation(0.7 * f);
+        std::rotate(light, light + 1, light + 3);
+        light[2] = lightOn(points, *lit, renderer);
+        if (f < 4) continue;
+        double squares = 0.0, mean = 0.0;
+        for (size_t i = 0; i < points.size(); ++i) {
+            const double second = light[2][i] - 2.0 * light[1][i] + light[0][i];
+            squares += second * second / double(points.size());
+            mean += light[1][i] / double(points.size());
+        }
+        worst = std::max(worst, std::sqrt(squares) / mean);
+    }
+    EXPECT_LE(worst, 0.003);
+}
+
+// Another map's light comes from elsewhere, and its shadow maps a few a frame: until they are drawn the former's stay, so that
+// nowhere more of the light is seen than with either.
+TEST(Stability, ShadowsGoOverToAnotherMapWithoutLight)
+{
+    SceneRenderer renderer(64, 64);
+    const auto lobeTowards = [](double y) {
+        return makeMap(64, 32, [y](const osg::Vec3d& d) {
+            const double lobe = std::pow(std::max(d * osg::Vec3d(0.0, y, 0.6), 0.0), 12.0);
+            return osg::Vec3d(0.01, 0.01, 0.01) + osg::Vec3d(2.0, 2.0, 2.0) * lobe;
+        });
+    };
+    osg::ref_ptr<LitScene> lit = makeLit(lobeTowards(0.8).get());
+    lit->getSettings()->view = Settings::VISIBILITY;
+    lit->getSettings()->regeneration = Settings::BACKGROUND;
+    lit->addChild(makeBox(osg::Vec3d(-4, -4, -0.3), osg::Vec3d(4, 4, 0)));
+    lit->addChild(makeBox(osg::Vec3d(-3, -1.3, 0), osg::Vec3d(3, -1, 2)));
+    lit->addChild(makeBox(osg::Vec3d(-3, 1, 0), osg::Vec3d(3, 1.3, 2)));
+    renderer.lookAt(osg::Vec3d(0, 0, 20), osg::Vec3d(), osg::Vec3d(0, 1, 0));  // between two walls that hide a lobe each
+    renderer.viewer().getCamera()->setProjectionMatrixAsOrtho(-0.9, 0.9, -0.9, 0.9, 1, 40);
+    const auto mean = [&] {
+        const Picture p = renderer.render(lit);
+        double sum = 0.0;
+        for (size_t i = 0; i < p.pixels(); ++i) sum += double(p.rgba[4 * i]) / double(p.pixels());
+        return sum;
+    };
+    const double before = (renderer.render(lit, 4), mean());
+    lit->getEnvironmentMap()->setImage(lobeTowards(-0.8).get());
+    double most = 0.0;
+    int frames = 0;
+    do {
+        most = std::max(most, mean());
+        ++frames;
+    } while (lit->regenerating() && frames < 1000);
+    const double after = mean();
+    EXPECT_GT(frames, 30);  // 256 maps, 8 a frame
+    EXPECT_LT(std::max(before, after), 0.5);
+    EXPECT_LT(most, std::max(before, after) + 0.02);
+}
