@@ -66,8 +66,11 @@ vec3 termView(ivec2 p, vec3 d, float pixel)
     if (view == VIEW_DEPTH) return vec3(-pixelEye(p).z / (4.0 * sceneRadius));
     if (view == VIEW_EMISSION) return texelFetch(emissionMap, p, 0).rgb;
 #if defined(HAS_OCCLUSION) || defined(HAS_SUN_SHADOWS)
-    if (view == VIEW_VISIBILITY)
-        return (occludedDiffuse(p) + sunShaded(p)) / max(diffuseTerm(p) + sunDiffuse(p), vec3(1e-20));
+    if (view == VIEW_VISIBILITY) {
+        vec3 all = diffuseTerm(p) + sunDiffuse(p);
+        vec3 seen = (occludedDiffuse(p) + sunShaded(p)) / max(all, vec3(1e-20));
+        return mix(vec3(1.0), seen, greaterThan(all, vec3(0.0)));  // of nothing nothing is hidden
+    }
 #endif
     if (view == VIEW_BOUNCE) return bounce(p);
     if (view == VIEW_LIGHTS) return lightsView(d, pixel);

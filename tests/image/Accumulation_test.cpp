@@ -33,15 +33,6 @@ osg::ref_ptr<LitScene> stillScene(osg::Image* map)
     return lit;
 }
 
-// Bright from one side, so that visibility has a shape.
-osg::ref_ptr<osg::Image> lopsidedMap()
-{
-    return makeMap(64, 32, [](const osg::Vec3d& d) {
-        const double lobe = std::pow(std::max(d * osg::Vec3d(0.6, -0.64, 0.48), 0.0), 12.0);
-        return osg::Vec3d(0.3, 0.4, 0.5) + osg::Vec3d(6.0, 5.0, 4.0) * lobe;
-    });
-}
-
 void addPost(LitScene& lit)
 {
     lit.addChild(makeQuad(osg::Vec3d(-2, -2, 0), osg::Vec3d(4, 0, 0), osg::Vec3d(0, 4, 0)));
@@ -100,7 +91,7 @@ TEST(Accumulation, WallWithinOnePercentAfter512Lights)
 TEST(Accumulation, ConvergesToExactDirectLight)
 {
     SceneRenderer renderer(96, 72);
-    osg::ref_ptr<LitScene> lit = stillScene(lopsidedMap().get());
+    osg::ref_ptr<LitScene> lit = stillScene(lopsidedMap(osg::Vec3d(0.3, 0.4, 0.5), osg::Vec3d(6.0, 5.0, 4.0)).get());
     addPost(*lit);
     osg::ref_ptr<osg::Geode> metal = makeBox(osg::Vec3d(0.7, -0.9, 0), osg::Vec3d(1.3, -0.3, 0.5));
     osgEnvLight::Material::setCookTorrance(*metal->getOrCreateStateSet(), osg::Vec3f(0.9f, 0.7f, 0.4f), 1.0f, 0.5f);
@@ -122,7 +113,7 @@ TEST(Accumulation, ConvergesToExactDirectLight)
 TEST(Accumulation, TheFirstFrameIsTheNormalOneAndMotionReturnsToIt)
 {
     SceneRenderer renderer(64, 64);
-    osg::ref_ptr<LitScene> lit = stillScene(lopsidedMap().get());
+    osg::ref_ptr<LitScene> lit = stillScene(lopsidedMap(osg::Vec3d(0.3, 0.4, 0.5), osg::Vec3d(6.0, 5.0, 4.0)).get());
     addPost(*lit);
     lit->getSettings()->accumulate = false;
     lookAtPost(renderer);
@@ -143,7 +134,7 @@ TEST(Accumulation, TheFirstFrameIsTheNormalOneAndMotionReturnsToIt)
 TEST(Accumulation, WhateverChangesBeginsAnew)
 {
     SceneRenderer renderer(48, 48);
-    osg::ref_ptr<LitScene> lit = stillScene(lopsidedMap().get());
+    osg::ref_ptr<LitScene> lit = stillScene(lopsidedMap(osg::Vec3d(0.3, 0.4, 0.5), osg::Vec3d(6.0, 5.0, 4.0)).get());
     addPost(*lit);
     const osg::ref_ptr<osg::MatrixTransform> mover = new osg::MatrixTransform;
     const osg::ref_ptr<osg::Material> paint = new osg::Material;
@@ -170,7 +161,7 @@ TEST(Accumulation, WhateverChangesBeginsAnew)
 TEST(Accumulation, RestsWhenItHasAllFrames)
 {
     SceneRenderer renderer(48, 48);
-    osg::ref_ptr<LitScene> lit = stillScene(lopsidedMap().get());
+    osg::ref_ptr<LitScene> lit = stillScene(lopsidedMap(osg::Vec3d(0.3, 0.4, 0.5), osg::Vec3d(6.0, 5.0, 4.0)).get());
     lit->getSettings()->accumulateFrames = 5;
     addPost(*lit);
     lookAtPost(renderer);
@@ -183,7 +174,7 @@ TEST(Accumulation, RestsWhenItHasAllFrames)
 TEST(Accumulation, TheStandardErrorFallsAsTheRootOfTheFrames)
 {
     SceneRenderer renderer(64, 64);
-    osg::ref_ptr<LitScene> lit = stillScene(lopsidedMap().get());
+    osg::ref_ptr<LitScene> lit = stillScene(lopsidedMap(osg::Vec3d(0.3, 0.4, 0.5), osg::Vec3d(6.0, 5.0, 4.0)).get());
     addPost(*lit);
     lookAtPost(renderer);
     EXPECT_LT(lit->average().standardError, 0.0);
@@ -199,7 +190,7 @@ TEST(Accumulation, TheStandardErrorFallsAsTheRootOfTheFrames)
 TEST(Accumulation, WithoutItNothingIsKept)
 {
     SceneRenderer renderer(64, 64);
-    osg::ref_ptr<LitScene> lit = stillScene(lopsidedMap().get());
+    osg::ref_ptr<LitScene> lit = stillScene(lopsidedMap(osg::Vec3d(0.3, 0.4, 0.5), osg::Vec3d(6.0, 5.0, 4.0)).get());
     addPost(*lit);
     lookAtPost(renderer);
     lit->getSettings()->accumulate = false;

@@ -17,15 +17,6 @@ using osgEnvLight::Settings;
 namespace
 {
 
-// Bright from one side, so that shadows have a shape.
-osg::ref_ptr<osg::Image> lopsidedMap()
-{
-    return makeMap(64, 32, [](const osg::Vec3d& d) {
-        const double lobe = std::pow(std::max(d * osg::Vec3d(0.6, -0.64, 0.48), 0.0), 12.0);
-        return osg::Vec3d(0.2, 0.25, 0.3) + osg::Vec3d(2.0, 1.8, 1.6) * lobe;
-    });
-}
-
 // A post and a wall on a floor, in shades of grey.
 osg::ref_ptr<LitScene> courtyard(osg::Image* map)
 {

@@ -97,6 +97,13 @@ osg::ref_ptr<osg::Image> constantMap(double radiance)
     return makeMap(64, 32, [&](const osg::Vec3d&) { return osg::Vec3d(radiance, radiance, radiance); });
 }
 
+osg::ref_ptr<osg::Image> lopsidedMap(const osg::Vec3d& sky, const osg::Vec3d& lobe)
+{
+    return makeMap(64, 32, [&](const osg::Vec3d& d) {
+        return sky + lobe * std::pow(std::max(d * osg::Vec3d(0.6, -0.64, 0.48), 0.0), 12.0);
+    });
+}
+
 osg::Vec3d sixDirectionColor(const osg::Vec3d& d)
 {
     const double x = std::abs(d.x());

@@ -75,6 +75,10 @@ osg::ref_ptr<osg::Image> makeMap(int width, int height, Radiance radiance)
 
 osg::ref_ptr<osg::Image> constantMap(double radiance);
 
+/** Bright from one side, so that shadows have a shape: a broad lobe over an even sky. */
+osg::ref_ptr<osg::Image> lopsidedMap(const osg::Vec3d& sky = osg::Vec3d(0.2, 0.25, 0.3),
+                                     const osg::Vec3d& lobe = osg::Vec3d(2.0, 1.8, 1.6));
+
 /** Red +X, cyan -X, green +Y, magenta -Y, blue +Z, yellow -Z: by the largest component of the direction. */
 osg::Vec3d sixDirectionColor(const osg::Vec3d& direction);
 
