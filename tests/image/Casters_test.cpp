@@ -3,8 +3,10 @@
 #include <SceneRenderer.h>
 
 #include <osg/Depth>
+#include <osg/LOD>
 #include <osg/Material>
 #include <osg/MatrixTransform>
+#include <osg/PagedLOD>
 #include <osg/Switch>
 
 #include <gtest/gtest.h>
@@ -101,4 +103,68 @@ TEST_F(Casters, MovingOnesAreShownWithinTheTurnOfTheBudget)
     lit->getSettings()->regeneration = Settings::IMMEDIATE;
     mover->setMatrix(osg::Matrixd::translate(0, 0, 0.71));
     EXPECT_NEAR(occluded(), settled, 0.02);
+}
+
+// What the view shows throws the shadow: the level that is chosen by the view's distance.
+TEST_F(Casters, TheLevelOfDetailThatTheViewShows)
+{
+    const double open = occluded();
+    lit->addChild(plate);
+    const double shaded = occluded();
+    lit->removeChild(plate);
+    osg::ref_ptr<osg::LOD> lod = new osg::LOD;
+    lod->setCenter(osg::Vec3(0, 0, 1.6f));
+    lod->setRadius(5.0f);
+    lod->addChild(plate, 0.0f, 5.0f);
+    lod->addChild(makeBox(osg::Vec3d(20, 20, 1.5), osg::Vec3d(20.1, 20.1, 1.7)), 5.0f, 1e6f);
+    lit->addChild(lod);
+    EXPECT_NEAR(shaded, occluded(), 0.02);
+    // Far away the fine level is not drawn, nor does it cast; the picture shows as much of the floor as before.
+    renderer.lookAt(osg::Vec3d(0, -10, 10), osg::Vec3d(), osg::Vec3d(0, 0, 1), 2.0);
+    EXPECT_NEAR(open, occluded(), 0.02);
+    renderer.lookAt(osg::Vec3d(0, -1, 1), osg::Vec3d(), osg::Vec3d(0, 0, 1), 20.0);
+    EXPECT_NEAR(shaded, occluded(), 0.02);
+}
+
+// As a pager does: a level that is asked for comes later and is taken away again.
+TEST_F(Casters, PagedOnesWhileTheyAreThere)
+{
+    const double open = occluded();
+    osg::ref_ptr<osg::PagedLOD> paged = new osg::PagedLOD;
+    paged->setCenter(osg::Vec3(0, 0, 1.6f));
+    paged->setRadius(5.0f);
+    paged->setRange(0, 0.0f, 1e6f);
+    lit->addChild(paged);
+    EXPECT_NEAR(open, occluded(), 1e-3);
+    paged->addChild(plate, 0.0f, 1e6f);
+    const double shaded = occluded();
+    EXPECT_GT(shaded, 0.7);
+    for (int i = 0; i < 3; ++i) {
+        paged->removeChildren(0, paged->getNumChildren());
+        EXPECT_NEAR(open, occluded(), 1e-3);
+        paged->addChild(plate, 0.0f, 1e6f);
+        EXPECT_NEAR(shaded, occluded(), 1e-3);
+    }
+}
+
+// Skinned or morphed on the CPU: the vertices change in place, and are marked as changed.
+TEST_F(Casters, ShapesThatChange)
+{
+    const double open = occluded();
+    plate = makePlate();
+    lit->addChild(plate);
+    const double shaded = occluded();
+    osg::Geometry& geometry = *plate->getDrawable(0)->asGeometry();
+    auto& vertices = static_cast<osg::Vec3Array&>(*geometry.getVertexArray());
+    const osg::ref_ptr<osg::Vec3Array> before = new osg::Vec3Array(vertices);
+    for (osg::Vec3& v : vertices) v = osg::Vec3(v.x() * 0.01f + 20.0f, v.y() * 0.01f, v.z());
+    vertices.dirty();
+    geometry.dirtyBound();
+    geometry.dirtyGLObjects();
+    EXPECT_NEAR(open, occluded(), 0.02);
+    vertices = *before;
+    vertices.dirty();
+    geometry.dirtyBound();
+    geometry.dirtyGLObjects();
+    EXPECT_NEAR(shaded, occluded(), 0.02);
 }
