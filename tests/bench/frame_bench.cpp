@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What a frame costs: milliseconds of each pass at 512 x 512, against plain OSG drawing the same model in the same run,
-// over the number of triangles. Least of the frames: the machine may be shared.
+// What a frame costs: milliseconds of each pass, against plain OSG drawing the same model in the same run, over the number of
+// triangles and of pixels; against ambient occlusion in its place; and while shadow maps are drawn anew. Least of the frames:
+// the machine may be shared.
 #include <SceneRenderer.h>
 
+#include <osg/MatrixTransform>
 #include <osgEnvLight/Material>
 
 #include <benchmark/benchmark.h>
@@ -11,19 +13,21 @@
 
 using osgEnvLight::LitScene;
 using osgEnvLight::Material;
+using osgEnvLight::Settings;
 
 namespace
 {
 
 const int size = 512;
 const int frames = 12;
+const int triangles = 100000;
 
 // Sixteen spheres on a plane, with together about that many triangles; a quarter of them metal, a quarter Phong.
-osg::ref_ptr<osg::Group> makeModel(int triangles)
+osg::ref_ptr<osg::Group> makeModel(int count)
 {
     osg::ref_ptr<osg::Group> group = new osg::Group;
     group->addChild(makeQuad(osg::Vec3d(-5, -5, -0.9), osg::Vec3d(10, 0, 0), osg::Vec3d(0, 10, 0)));
-    const int segments = int(std::sqrt(triangles / 16.0));
+    const int segments = int(std::sqrt(count / 16.0));
     for (int i = 0; i < 16; ++i) {
         osg::ref_ptr<osg::Geode> sphere = makeSphere(osg::Vec3d(-3 + 2 * (i % 4), -3 + 2 * (i / 4), 0), 0.9, segments);
         osg::StateSet& s = *sphere->getOrCreateStateSet();
@@ -44,24 +48,81 @@ void setUp(SceneRenderer& renderer)
     renderer.lookAt(osg::Vec3d(1, -11, 7), osg::Vec3d(0, 0, -0.5), osg::Vec3d(0, 0, 1), 35.0);
 }
 
-void frame(benchmark::State& state)
+osg::ref_ptr<LitScene> makeLitModel(int count)
 {
-    SceneRenderer renderer(size, size);
-    setUp(renderer);
-    osg::ref_ptr<osg::Group> model = makeModel(int(state.range(0)));
     osg::ref_ptr<LitScene> lit = new LitScene;
-    lit->addChild(model);
+    lit->addChild(makeModel(count));
     lit->setTimed(true);
+    return lit;
+}
+
+// Until all shadow maps are drawn: milliseconds of each frame.
+std::vector<double> settle(SceneRenderer& renderer, LitScene& lit)
+{
+    std::vector<double> times;
+    do times.push_back(renderer.time(&lit, 1)[0]);
+    while (lit.regenerating());
+    return times;
+}
+
+void measure(benchmark::State& state, int width, int height, int count)
+{
+    SceneRenderer renderer(width, height);
+    setUp(renderer);
+    osg::ref_ptr<osg::Group> model = makeModel(count);
+    osg::ref_ptr<LitScene> lit = makeLitModel(count);
+    Settings& s = *lit->getSettings();
     for (auto _ : state) {
         const double plain = least(renderer.time(model, frames));
-        do renderer.time(lit, 1);
-        while (lit->regenerating());  // shadow maps are drawn some a frame
+        settle(renderer, *lit);
         const double whole = least(renderer.time(lit, frames));
         state.SetIterationTime(whole * 1e-3);
         state.counters["plain_ms"] = plain;
         state.counters["ratio"] = whole / plain;
         for (const auto& t : lit->passTimes()) state.counters[t.pass + "_ms"] = t.gpu;
         state.counters["texture_MB"] = double(lit->textureBytes()) / 1048576.0;
+        // Ambient occlusion from the depth buffer, and all else the same.
+        s.visibility = Settings::VISIBILITY_SCREEN;
+        s.occlusionMethod = Settings::GTAO;
+        const double ambient = least(renderer.time(lit, frames));
+        state.counters["gtao_ms"] = ambient;
+        state.counters["over_gtao"] = whole / ambient;
+        s.visibility = Settings::VISIBILITY_AUTO;
+        s.occlusionMethod = Settings::SLICE;
+    }
+}
+
+void frame(benchmark::State& state)
+{
+    measure(state, size, size, int(state.range(0)));
+}
+
+void resolution(benchmark::State& state)
+{
+    measure(state, int(state.range(0)), int(state.range(1)), triangles);
+}
+
+// One body moves once: all maps are drawn anew, atlasUpdatesPerFrame in each frame.
+void refresh(benchmark::State& state)
+{
+    SceneRenderer renderer(size, size);
+    setUp(renderer);
+    osg::ref_ptr<LitScene> lit = makeLitModel(int(state.range(0)));
+    osg::ref_ptr<osg::MatrixTransform> mover = new osg::MatrixTransform;
+    mover->addChild(makeBox(osg::Vec3d(-0.2, -0.2, 1), osg::Vec3d(0.2, 0.2, 1.4)));
+    lit->addChild(mover);
+    lit->getSettings()->atlasUpdatesPerFrame = int(state.range(1));
+    for (auto _ : state) {
+        state.counters["fill_ms"] = settle(renderer, *lit)[0];
+        const double steady = least(renderer.time(lit, frames));
+        mover->setMatrix(osg::Matrixd::translate(0.5, 0, 0));
+        std::vector<double> times = settle(renderer, *lit);
+        state.counters["latency_frames"] = double(times.size());
+        std::sort(times.begin(), times.end());
+        state.SetIterationTime(times[times.size() / 2] * 1e-3);
+        state.counters["worst_over_median"] = times.back() / times[times.size() / 2];
+        state.counters["steady_ms"] = steady;
+        state.counters["worst_over_steady"] = times.back() / steady;
     }
 }
 
@@ -84,3 +145,18 @@ void emptyFrame(benchmark::State& state)
 
 BENCHMARK(emptyFrame)->UseManualTime()->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(frame)->Arg(10000)->Arg(100000)->Arg(1000000)->UseManualTime()->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(resolution)
+    ->Args({256, 256})
+    ->Args({512, 512})
+    ->Args({1280, 720})
+    ->Args({1920, 1080})
+    ->UseManualTime()
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(refresh)
+    ->ArgsProduct({{10000, 100000, 1000000}, {8}})
+    ->ArgsProduct({{100000}, {2, 32}})
+    ->ArgNames({"triangles", "maps a frame"})
+    ->UseManualTime()
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
