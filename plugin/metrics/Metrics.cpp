@@ -52,11 +52,6 @@ std::vector<Sample> samplesOf(const Picture& picture, const Picture& reference, 
     return samples;
 }
 
-double toned(double v, double mean)
-{
-    return v == 0.0 ? 0.0 : v / (std::abs(v) + mean);
-}
-
 void measureToned(const std::vector<Sample>& samples, ErrorFigures& figures)
 {
     const double mean = figures.meanLuminance;
@@ -144,6 +139,11 @@ ErrorFigures compare(const Picture& picture, const Picture& reference, const Mas
 ErrorFigures compare(const Picture& picture, const Picture& reference, const Picture& standardError, const Mask& mask)
 {
     return measure(picture, reference, &standardError, mask);
+}
+
+double toned(double v, double mean)
+{
+    return v == 0.0 ? 0.0 : v / (std::abs(v) + mean);
 }
 
 double percentile(std::vector<double>& values, unsigned perMille)

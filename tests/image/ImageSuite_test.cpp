@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
@@ -19,6 +20,7 @@ namespace
 {
 
 const char* const measuredFile = ENVLIGHT_SOURCE_DIR "/tests/suite/measured.csv";
+const char* const scalarFile = ENVLIGHT_SOURCE_DIR "/tests/suite/exact_scalar_occlusion.csv";
 const char* const sheetFile = ENVLIGHT_BINARY_DIR "/image-suite.png";
 
 const Figures* measuredOf(const Row& row)
@@ -126,6 +128,32 @@ TEST(ImageSuiteTable, TheBounceBringsThePictureNearerFullTransport)
     ASSERT_GT(count, 0);
     EXPECT_LT(with, 0.55 * without);  // .50 when written
     EXPECT_EQ("", worse.str());
+}
+
+// One number a pixel can't say from where light is kept: even exact, and with all else exact, it leaves more error than our
+// pictures have with all of theirs [envlight_scalar_study]. relMSE says so of 52 rows in 61. Not of the atrium's four, where
+// light leaks at the walls' feet into what is all but black; nor of five in which a few pixels of S outweigh the picture, as
+// glossy surfaces reflect what is hidden from them: gloss under courtyard and sunset, chess under studio and courtyard, spheres.
+// D - O alone is nearer than exact ambient occlusion on those, too.
+TEST(ImageSuiteTable, IsBetterThanExactScalarOcclusion)
+{
+    const auto scalar = suite::readScalar(scalarFile);
+    for (Figure f : {suite::REL_MSE, suite::TONED}) {
+        const double share = f == suite::REL_MSE ? 0.84 : 0.9;
+        int better = 0;
+        std::ostringstream others;
+        const int count = forRows([&](const Row& row, const Result& r) {
+            ASSERT_EQ(1u, scalar.count(row.name())) << row.name() << " is not in " << scalarFile;
+            const double figure = scalar.at(row.name())[f], noise = r.noise[f];
+            const double most = f == suite::REL_MSE ? figure + noise * noise : std::hypot(figure, noise);
+            if (r.figures[f] <= most)
+                ++better;
+            else
+                others << "\n" << row.name() << " " << r.figures[f] << " > " << most;
+        });
+        ASSERT_GT(count, 0);
+        EXPECT_GE(better, share * count) << suite::figureNames[f] << others.str();
+    }
 }
 
 TEST(ImageSuiteTable, HalfTheSpecularSamplesAreWorse)

@@ -78,14 +78,20 @@ ReferenceCache::Pictures trace(const osgEnvLight::TriangleScene& triangles, cons
     return pictures;
 }
 
+osg::ref_ptr<const osgEnvLight::RadianceMap> radianceOf(const osgEnvLight::EnvironmentMap& map)
+{
+    std::string error;
+    osg::ref_ptr<const osgEnvLight::RadianceMap> radiance = map.radiance(error);
+    if (!radiance) throw std::runtime_error(error);
+    return radiance;
+}
+
 // The scene as the viewer's camera saw it in its last frame.
 Truth truthOf(osgEnvLight::LitScene& lit, osgViewer::Viewer& viewer)
 {
     osg::Camera& camera = *viewer.getCamera();
     const osgEnvLight::EnvironmentMap& map = *lit.getEnvironmentMap();
-    std::string error;
-    const osg::ref_ptr<const osgEnvLight::RadianceMap> radiance = map.radiance(error);
-    if (!radiance) throw std::runtime_error(error);
+    const osg::ref_ptr<const osgEnvLight::RadianceMap> radiance = radianceOf(map);
     const osgEnvLight::TriangleScene triangles = osgEnvLight::flattenScene(lit, camera, viewer.getFrameStamp());
 
     ContentHash hash;
@@ -176,14 +182,7 @@ class Measurement
 
     void run(Result& r)
     {
-        r.picture = _renderer.render(&_lit);
-        _truth = truthOf(_lit, _renderer.viewer());
-        r.reference = _truth.beauty.mean;
-        const Mask both = Mask::geometry(r.picture) & Mask::geometry(r.reference);
-        r.inside = osgEnvLight::withoutEdges(both, surface(), _truth.depth);
-        // The terms are those of what the passes light: transparent surfaces are drawn afterwards.
-        _deferred = r.inside & Mask::unmarked(_truth.blended);
-        r.stops = osgEnvLight::automaticExposure(r.reference, both);
+        look(r);
         const ErrorFigures e = errorOf(r.picture, r.inside);
         r.figures[REL_MSE] = e.relMse;
         r.noise[REL_MSE] = relativeNoise(_truth.beauty, r.inside, e.meanLuminance);
@@ -192,12 +191,41 @@ class Measurement
         r.figures[DISSIMILARITY] = dissimilarity(r.picture, r.stops);
         r.dissimilarNoise = dissimilarity(noisier(_truth.beauty), r.stops);
         r.figures[SILHOUETTE] = silhouette(r.picture, r.reference);
-        for (Figure term : {DIFFUSE, SPECULAR, OCCLUSION}) std::tie(r.figures[term], r.noise[term]) = termError(term);
+        for (Figure f : {DIFFUSE, SPECULAR, OCCLUSION}) std::tie(r.figures[f], r.noise[f]) = termError(f);
         runWithLess(r);
         runWithBounce(r);
     }
 
+    TracedRow traced()
+    {
+        Result r;
+        look(r);
+        osg::Camera& camera = *_renderer.viewer().getCamera();
+        const osgEnvLight::EnvironmentMap& map = *_lit.getEnvironmentMap();
+        return {osgEnvLight::flattenScene(_lit, camera, _renderer.viewer().getFrameStamp()),
+                osgEnvLight::RayCamera(camera, _lit.getBound()),
+                osgEnvLight::MapEnvironment(*radianceOf(map), map.getRotation(), map.getIntensity()),
+                r.picture,
+                r.reference,
+                r.inside,
+                term(Settings::DIFFUSE),
+                term(Settings::OCCLUSION),
+                _deferred};
+    }
+
   private:
+    void look(Result& r)
+    {
+        r.picture = _renderer.render(&_lit);
+        _truth = truthOf(_lit, _renderer.viewer());
+        r.reference = _truth.beauty.mean;
+        const Mask both = Mask::geometry(r.picture) & Mask::geometry(r.reference);
+        r.inside = osgEnvLight::withoutEdges(both, surface(), _truth.depth);
+        // The terms are those of what the passes light: transparent surfaces are drawn afterwards.
+        _deferred = r.inside & Mask::unmarked(_truth.blended);
+        r.stops = osgEnvLight::automaticExposure(r.reference, both);
+    }
+
     // Normal and coverage.
     Picture surface() const
     {
@@ -230,19 +258,27 @@ class Measurement
         return 1.0 - osgEnvLight::mean(osgEnvLight::ssim(picture, reference, stops), Mask::geometry(reference));
     }
 
-    // With its noise.
-    std::pair<double, double> termError(Figure term)
+    Picture term(int view)
     {
-        const Estimate& truth = term == DIFFUSE ? _truth.diffuse : term == SPECULAR ? _truth.specular : _truth.occlusion;
-        _settings.view = term == DIFFUSE ? Settings::DIFFUSE : term == SPECULAR ? Settings::SPECULAR : Settings::OCCLUSION;
+        _settings.view = view;
         // S is compared unoccluded, and the suns' shadows are in it.
         const int visibility = _settings.visibility;
-        if (term == SPECULAR) _settings.visibility = Settings::VISIBILITY_NONE;
+        if (view == Settings::SPECULAR) _settings.visibility = Settings::VISIBILITY_NONE;
         const Picture picture = _renderer.render(&_lit);
         _settings.visibility = visibility;
         _settings.view = Settings::BEAUTY;
+        return picture;
+    }
+
+    // With its noise.
+    std::pair<double, double> termError(Figure figure)
+    {
+        const Estimate& truth = figure == DIFFUSE ? _truth.diffuse : figure == SPECULAR ? _truth.specular : _truth.occlusion;
+        const Picture picture = term(figure == DIFFUSE    ? Settings::DIFFUSE
+                                     : figure == SPECULAR ? Settings::SPECULAR
+                                                          : Settings::OCCLUSION);
         const ErrorFigures e = osgEnvLight::compare(picture, truth.mean, truth.error, _deferred);
-        if (term == SPECULAR) return {e.tRmse, noiseOf(e.tNoise, e.pixels)};
+        if (figure == SPECULAR) return {e.tRmse, noiseOf(e.tNoise, e.pixels)};
         const double light = osgEnvLight::compare(_truth.diffuse.mean, _truth.diffuse.mean, _deferred).mean;
         return light > 0.0 ? std::pair(e.rmse / light, noiseOf(e.noise, e.pixels) / light) : std::pair(0.0, 0.0);
     }
@@ -265,14 +301,22 @@ class Measurement
     Mask _deferred;
 };
 
+// Under its map; without a node if one of them is not installed.
+SuiteScene sceneOf(const Row& row)
+{
+    SuiteScene scene = makeScene(row.scene);
+    if (!scene.lit || !setMap(*scene.lit, row.map)) return SuiteScene();
+    osgEnvLight::EnvironmentMap& map = *scene.lit->getEnvironmentMap();
+    map.setRotation(map.getRotation() + row.variation.rotation);
+    return scene;
+}
+
 Result measure(const Row& row)
 {
     const auto start = std::chrono::steady_clock::now();
     Result r;
-    const SuiteScene scene = makeScene(row.scene);
-    if (!scene.lit || !setMap(*scene.lit, row.map)) return r;
-    osgEnvLight::EnvironmentMap& map = *scene.lit->getEnvironmentMap();
-    map.setRotation(map.getRotation() + row.variation.rotation);
+    const SuiteScene scene = sceneOf(row);
+    if (!scene.lit) return r;
     r.installed = true;
     Measurement(scene, row.variation).run(r);
     r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -303,6 +347,13 @@ const Result& result(const Row& row)
 {
     const auto found = results.find(&row);
     return found != results.end() ? found->second : results.emplace(&row, measure(row)).first->second;
+}
+
+std::optional<TracedRow> traced(const Row& row)
+{
+    const SuiteScene scene = sceneOf(row);
+    if (!scene.lit) return std::nullopt;
+    return Measurement(scene, row.variation).traced();
 }
 
 }  // namespace suite

@@ -4,9 +4,13 @@
 
 #include <metrics/Mask>
 #include <metrics/Picture>
+#include <reference/Environment>
+#include <reference/RayCamera>
+#include <reference/TriangleScene>
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -73,6 +77,24 @@ const Result& result(const Row& row);
 /** Whether there was one. */
 bool hasResult(const Row& row);
 
+/** A row as it can be traced anew. */
+struct TracedRow {
+    osgEnvLight::TriangleScene triangles;
+    osgEnvLight::RayCamera camera;
+    osgEnvLight::MapEnvironment environment;
+    // As of its Result.
+    osgEnvLight::Picture picture;
+    osgEnvLight::Picture reference;
+    osgEnvLight::Mask inside;
+    // Our terms D and O, and where they are compared: inside, without transparent surfaces.
+    osgEnvLight::Picture diffuse;
+    osgEnvLight::Picture occlusion;
+    osgEnvLight::Mask deferred;
+};
+
+/** None where it is not installed. */
+std::optional<TracedRow> traced(const Row& row);
+
 const int width = 96;
 const int height = 72;
 
@@ -82,6 +104,14 @@ std::map<std::string, Figures> readMeasured(const std::string& fileName);
 /** The figures of all rows. Lines of rows that are not installed are kept from the file that was there. Throws
  * std::runtime_error if it can't be written.*/
 void writeMeasured(const std::string& fileName);
+
+/** REL_MSE and TONED of a row in which all is exact but O: of that there is the share of an even sky that is hidden, exact too,
+ * one number a pixel and channel. Then the standard errors of both. */
+using ScalarFigures = std::array<double, 4>;
+
+/** As readMeasured() and writeMeasured(), of the rows that have figures. */
+std::map<std::string, ScalarFigures> readScalar(const std::string& fileName);
+void writeScalar(const std::string& fileName, const std::map<std::string, ScalarFigures>& figures);
 
 /** The most that a figure may be, from what was measured, when the figure's noise is what it is. */
 double bound(Figure figure, double measured, double noise);

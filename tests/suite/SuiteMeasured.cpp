@@ -17,42 +17,32 @@ namespace
 // One more CPU's last bits, another driver's filters.
 const double tolerance = 1.15;
 
-std::string header()
+std::string measuredHeader()
 {
     std::string line = "row";
     for (const char* name : figureNames) line += std::string(",") + name;
     return line + ",1-SSIM of the noise,tRMSE without O,bounced without,S at half the samples";
 }
 
+const char* const scalarHeader = "row,relMSE,tRMSE,standard error of relMSE,of tRMSE";
+
 // Lines by the row's name.
-std::map<std::string, std::string> readLines(const std::string& fileName)
+std::map<std::string, std::string> readLines(const std::string& fileName, const std::string& header)
 {
     std::map<std::string, std::string> result;
     std::ifstream in(fileName);
     std::string line;
     if (!std::getline(in, line)) return result;
-    if (line != header()) throw std::runtime_error(fileName + ": other columns than " + header());
+    if (line != header) throw std::runtime_error(fileName + ": other columns than " + header);
     while (std::getline(in, line)) result[line.substr(0, line.find(','))] = line;
     return result;
 }
 
-std::string lineOf(const Row& row, const Result& r)
+template <class Array>
+std::map<std::string, Array> readFigures(const std::string& fileName, const std::string& header)
 {
-    std::ostringstream out;
-    out.imbue(std::locale::classic());
-    out.precision(3);
-    out << row.name();
-    for (double figure : r.figures) out << "," << figure;
-    out << "," << r.dissimilarNoise << "," << r.withoutOcclusion << "," << r.withoutBounce << "," << r.halfSamples;
-    return out.str();
-}
-
-}  // namespace
-
-std::map<std::string, Figures> readMeasured(const std::string& fileName)
-{
-    std::map<std::string, Figures> result;
-    for (const auto& [name, line] : readLines(fileName)) {
+    std::map<std::string, Array> result;
+    for (const auto& [name, line] : readLines(fileName, header)) {
         std::istringstream in(line.substr(name.size()));
         in.imbue(std::locale::classic());
         char comma = 0;
@@ -63,25 +53,63 @@ std::map<std::string, Figures> readMeasured(const std::string& fileName)
     return result;
 }
 
-void writeMeasured(const std::string& fileName)
+// A row without a line keeps the one that was there.
+void writeLines(const std::string& fileName, const std::string& header, const std::map<std::string, std::string>& lines)
 {
-    std::map<std::string, std::string> former;
+    std::map<std::string, std::string> all = lines;
     try {
-        former = readLines(fileName);
+        all.merge(readLines(fileName, header));
     } catch (const std::runtime_error&) {
         // Of other columns: nothing to keep.
     }
     std::ofstream out(fileName);
-    out << header() << "\n";
-    for (const Row& row : rows()) {
-        const Result& r = result(row);
-        if (r.installed)
-            out << lineOf(row, r) << "\n";
-        else if (former.count(row.name()))
-            out << former[row.name()] << "\n";
-    }
+    out << header << "\n";
+    for (const Row& row : rows())
+        if (all.count(row.name())) out << all[row.name()] << "\n";
     out.close();
     if (!out) throw std::runtime_error(fileName + ": can't be written");
+}
+
+template <class Array>
+std::string lineOf(const std::string& name, const Array& figures)
+{
+    std::ostringstream out;
+    out.imbue(std::locale::classic());
+    out.precision(3);
+    out << name;
+    for (double figure : figures) out << "," << figure;
+    return out.str();
+}
+
+}  // namespace
+
+std::map<std::string, Figures> readMeasured(const std::string& fileName)
+{
+    return readFigures<Figures>(fileName, measuredHeader());
+}
+
+void writeMeasured(const std::string& fileName)
+{
+    std::map<std::string, std::string> lines;
+    for (const Row& row : rows()) {
+        const Result& r = result(row);
+        if (!r.installed) continue;
+        const double more[] = {r.dissimilarNoise, r.withoutOcclusion, r.withoutBounce, r.halfSamples};
+        lines[row.name()] = lineOf(lineOf(row.name(), r.figures), more);
+    }
+    writeLines(fileName, measuredHeader(), lines);
+}
+
+std::map<std::string, ScalarFigures> readScalar(const std::string& fileName)
+{
+    return readFigures<ScalarFigures>(fileName, scalarHeader);
+}
+
+void writeScalar(const std::string& fileName, const std::map<std::string, ScalarFigures>& figures)
+{
+    std::map<std::string, std::string> lines;
+    for (const auto& [name, values] : figures) lines[name] = lineOf(name, values);
+    writeLines(fileName, scalarHeader, lines);
 }
 
 double bound(Figure figure, double measured, double noise)
