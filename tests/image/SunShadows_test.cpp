@@ -104,6 +104,8 @@ TEST(SunShadows, AClosedRoomIsBlackInside)
     SceneRenderer renderer(96, 96);
     for (double wall : {0.2, 0.02}) {
         osg::ref_ptr<LitScene> lit = sunny(osg::Vec3d(0.3, 0.4, 1), 2.0);
+        lit->getSettings()->view = Settings::BEAUTY;
+        lit->getSettings()->background = Settings::BACKGROUND_OFF;
         for (int axis = 0; axis < 3; ++axis)
             for (double side : {-1.0, 1.0}) {
                 const double outer = 1.0 + wall;
