@@ -82,7 +82,7 @@ Signature signature(const DirectionalLight& light)
     for (int l = 0; l <= lastBand; ++l) {
         // The flux itself counts three times: without, the worst group of a map of few lamps has 5 % too much; with, .8 %.
         const double weight = l == 0 ? 3.0 : std::sqrt(1.0 / (1.0 + 0.5 * l * l));
-        for (int m = l * l; m < (l + 1) * (l + 1); ++m) s[size_t(m)] *= weight * (light.flux[0] + light.flux[1] + light.flux[2]);
+        for (int m = l * l; m < (l + 1) * (l + 1); ++m) s[size_t(m)] *= weight * sumOf(light.flux);
     }
     return s;
 }

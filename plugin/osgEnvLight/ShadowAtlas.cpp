@@ -28,18 +28,6 @@ bool sameLights(const LightList& a, const LightList& b)
     });
 }
 
-double sumOf(const osg::Vec3d& flux)
-{
-    return flux[0] + flux[1] + flux[2];
-}
-
-double fluxOf(const LightList& list)
-{
-    double sum = 0.0;
-    for (const DirectionalLight& light : list) sum += sumOf(light.flux);
-    return sum;
-}
-
 }  // namespace
 
 ShadowAtlas::ShadowAtlas(unsigned lightCount, unsigned mapSize) : lights(lightCount), size(mapSize), _maps(lightCount)
@@ -139,8 +127,8 @@ std::vector<Caster> ShadowAtlas::drawn()
 // the new one's is drawn, as bright beside the rest as it was: the light comes over map by map.
 void ShadowAtlas::setLights(const LightList& list)
 {
-    const double before = fluxOf(_list);
-    const double factor = before > 0.0 ? fluxOf(list) / before : 1.0;
+    const double before = sumOf(_list);
+    const double factor = before > 0.0 ? sumOf(list) / before : 1.0;
     const std::vector<double> angles = solidAngles(list);
     for (unsigned i = 0; i < lights; ++i) {
         Map& map = _maps[i];

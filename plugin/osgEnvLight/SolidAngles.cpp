@@ -15,7 +15,7 @@ std::vector<double> solidAngles(const LightList& lights)
     std::vector<size_t> index;
     for (size_t i = 0; i < lights.size(); ++i) {
         const osg::Vec3d& flux = lights[i].flux;
-        if (!(flux[0] + flux[1] + flux[2] > 0.0)) continue;
+        if (!(sumOf(flux) > 0.0)) continue;
         x.push_back(float(lights[i].direction.x()));
         y.push_back(float(lights[i].direction.y()));
         z.push_back(float(lights[i].direction.z()));

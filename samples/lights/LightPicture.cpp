@@ -18,6 +18,7 @@ using osgEnvLight::DominantLight;
 using osgEnvLight::LightFile;
 using osgEnvLight::LightList;
 using osgEnvLight::RadianceMap;
+using osgEnvLight::sumOf;
 
 const int smallestWidth = 1024;
 const int largestWidth = 4096;
@@ -172,18 +173,6 @@ double coverage(const Canvas& canvas, double radius, double angle)
     return glsl::clamp((radius - angle) / canvas.pixel + 0.5, 0.0, 1.0);
 }
 
-double sum(const osg::Vec3d& flux)
-{
-    return flux[0] + flux[1] + flux[2];
-}
-
-double sum(const LightList& lights)
-{
-    double total = 0.0;
-    for (const auto& l : lights) total += sum(l.flux);
-    return total;
-}
-
 // As bright as it can be; dark grey for less than `least`, which is rounding.
 vec3 ownColor(const osg::Vec3d& flux, double least)
 {
@@ -195,10 +184,10 @@ vec3 ownColor(const osg::Vec3d& flux, double least)
 std::vector<double> dotRadii(const Canvas& canvas, const LightList& lights)
 {
     const double count = double(lights.size());
-    const double total = sum(lights);
+    const double total = sumOf(lights);
     std::vector<double> radii;
     for (const auto& l : lights) {
-        const double even = total > 0.0 ? sum(l.flux) / total * count : 1.0;  // 1 if all were alike
+        const double even = total > 0.0 ? sumOf(l.flux) / total * count : 1.0;  // 1 if all were alike
         radii.push_back(2.0 * std::sqrt(covered / count * glsl::clamp(even, 0.1, 16.0)));
     }
     std::vector<double> room;  // of some: distance to the nearest over the dot's diameter
@@ -223,7 +212,7 @@ void paintDots(Canvas& canvas, const LightList& lights)
     std::iota(order.begin(), order.end(), size_t(0));
     std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return radii[a] > radii[b]; });
     const double line = std::min(1.2 * canvas.pixel, std::sqrt(4.0 * glsl::PI / double(lights.size())) / 16.0);
-    const double dark = 1e-9 * sum(lights) / double(lights.size());
+    const double dark = 1e-9 * sumOf(lights) / double(lights.size());
     for (size_t i : order) {
         const double radius = radii[i];
         const vec3 fill = ownColor(lights[i].flux, dark);

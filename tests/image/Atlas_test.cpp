@@ -29,26 +29,6 @@ double visibilityBeside(SceneRenderer& renderer, const Picture& p, const osg::Ve
     return sum;
 }
 
-struct Statistics {
-    double least = 1.0;
-    double mean = 0.0;
-};
-
-Statistics ofGeometry(const Picture& p)
-{
-    Statistics s;
-    int count = 0;
-    for (int y = 0; y < p.height; ++y)
-        for (int x = 0; x < p.width; ++x) {
-            if (!(p.alpha(x, y) > 0.5f)) continue;
-            s.least = std::min(s.least, double(p.color(x, y)[0]));
-            s.mean += double(p.color(x, y)[0]);
-            ++count;
-        }
-    s.mean /= std::max(count, 1);
-    return s;
-}
-
 }  // namespace
 
 // One turn of the map against the scene errs by 4 % at a = 1, where few of the 256 lights are low enough to meet the wall

@@ -23,27 +23,6 @@ osg::ref_ptr<LitScene> emptyScene(osg::Image* map, int visibility)
     return lit;
 }
 
-// Of all pixels with geometry.
-struct Range {
-    double least = 1e30, most = -1e30;
-    int pixels = 0;
-};
-
-Range rangeOf(const Picture& p)
-{
-    Range r;
-    for (int y = 0; y < p.height; ++y)
-        for (int x = 0; x < p.width; ++x) {
-            if (!(p.alpha(x, y) > 0.5f)) continue;
-            for (int k = 0; k < 3; ++k) {
-                r.least = std::min(r.least, double(p.color(x, y)[k]));
-                r.most = std::max(r.most, double(p.color(x, y)[k]));
-            }
-            ++r.pixels;
-        }
-    return r;
-}
-
 // What is known of who hides what: by the atlas, by the picture's depth, by both.
 class VisibilityExtremes : public testing::TestWithParam<int>
 {
@@ -74,7 +53,7 @@ TEST_P(VisibilityExtremes, TheCameraInsideABody)
             renderer.lookAt(osg::Vec3d(x, 0, 0), osg::Vec3d(x - 0.3, 1, 0.1));
             const Picture p = renderer.render(lit, 2);
             EXPECT_TRUE(p.finite()) << x;
-            const Range r = rangeOf(p);
+            const Statistics r = ofGeometry(p);
             EXPECT_GE(r.least, 0.0) << x;
             EXPECT_LE(r.most, view == Settings::VISIBILITY ? 1.0 + 1e-6 : 3.0) << x;
         }
@@ -91,7 +70,7 @@ TEST_P(VisibilityExtremes, AFenceOfOnePixel)
         lit->addChild(makeBox(osg::Vec3d(2 * i * pixel, 0, 0), osg::Vec3d((2 * i + 1) * pixel, pixel, 2)));
     renderer.lookAt(osg::Vec3d(0, -20, 1), osg::Vec3d(0, 0, 1));
     renderer.viewer().getCamera()->setProjectionMatrixAsOrtho(-4, 4, -3, 3, 1, 40);
-    const Range r = rangeOf(renderer.render(lit, 2));
+    const Statistics r = ofGeometry(renderer.render(lit, 2));
     EXPECT_GT(r.pixels, 300);
     // Faces towards the viewer, of which nothing is hidden.
     EXPECT_GT(r.least, 0.9);
@@ -111,11 +90,11 @@ TEST_P(VisibilityExtremes, NoLightInFrontOfASurface)
                                             GetParam());
     lit->addChild(makeQuad(osg::Vec3d(-2, -2, 0), osg::Vec3d(4, 0, 0), osg::Vec3d(0, 4, 0)));
     renderer.lookAt(osg::Vec3d(0, -1, 3), osg::Vec3d());
-    const Range beauty = rangeOf(renderer.render(lit, 2));
+    const Statistics beauty = ofGeometry(renderer.render(lit, 2));
     EXPECT_GT(beauty.pixels, 900);
     EXPECT_NEAR(beauty.most, 0.0, 1e-6);
     lit->getSettings()->view = Settings::VISIBILITY;
-    const Range visibility = rangeOf(renderer.render(lit, 2));
+    const Statistics visibility = ofGeometry(renderer.render(lit, 2));
     EXPECT_NEAR(visibility.least, 1.0, 1e-6);
     EXPECT_NEAR(visibility.most, 1.0, 1e-6);
 }
@@ -130,8 +109,8 @@ TEST_P(VisibilityExtremes, ALineOf16384Pixels)
     renderer.viewer().getCamera()->setProjectionMatrixAsOrtho(-4, 4, -0.001, 0.001, 1, 40);
     const Picture p = renderer.render(lit, 2);
     EXPECT_TRUE(p.finite());
-    EXPECT_EQ(16384, rangeOf(p).pixels);
-    EXPECT_GT(rangeOf(p).least, 0.0);
+    EXPECT_EQ(16384, ofGeometry(p).pixels);
+    EXPECT_GT(ofGeometry(p).least, 0.0);
 }
 
 TEST_P(VisibilityExtremes, NothingAndOneTriangle)
@@ -139,7 +118,7 @@ TEST_P(VisibilityExtremes, NothingAndOneTriangle)
     SceneRenderer renderer(32, 32);
     osg::ref_ptr<LitScene> lit = emptyScene(constantMap(1.0).get(), GetParam());
     renderer.lookAt(osg::Vec3d(0, 0, 3), osg::Vec3d(), osg::Vec3d(0, 1, 0));
-    EXPECT_EQ(0, rangeOf(renderer.render(lit, 2)).pixels);
+    EXPECT_EQ(0, ofGeometry(renderer.render(lit, 2)).pixels);
     osg::ref_ptr<osg::Geometry> triangle = new osg::Geometry;
     osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
     for (const osg::Vec3& c : {osg::Vec3(-1, -1, 0), osg::Vec3(1, -1, 0), osg::Vec3(0, 1, 0)}) corners->push_back(c);
@@ -147,11 +126,11 @@ TEST_P(VisibilityExtremes, NothingAndOneTriangle)
     triangle->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, 3));
     lit->addChild(triangle);
     lit->getSettings()->view = Settings::VISIBILITY;
-    const Range r = rangeOf(renderer.render(lit, 2));
+    const Statistics r = ofGeometry(renderer.render(lit, 2));
     EXPECT_GT(r.pixels, 100);
     EXPECT_NEAR(r.least, 1.0, 1e-3);
     lit->removeChild(triangle);
-    EXPECT_EQ(0, rangeOf(renderer.render(lit, 2)).pixels);
+    EXPECT_EQ(0, ofGeometry(renderer.render(lit, 2)).pixels);
 }
 
 // A millionth and a million of the same scene.
@@ -168,7 +147,7 @@ TEST_P(VisibilityExtremes, TheSamePictureAtEveryScale)
         return renderer.render(lit, 3);
     };
     const Picture one = picture(1.0);
-    EXPECT_GT(rangeOf(one).most, 0.3);
+    EXPECT_GT(ofGeometry(one).most, 0.3);
     for (double scale : {1e-6, 1e-3, 1e3, 1e6}) {
         // Rounding moves edges of pixels and of texels by a bit, a few pixels in shadows' edges and outlines with them.
         EXPECT_LT(rootMeanSquare(one, picture(scale)), 0.01) << scale;
@@ -192,7 +171,7 @@ TEST(OcclusionExtremes, RadiusAndThicknessAtTheirEnds)
             s.occlusionRadius = radius;
             s.occlusionThickness = thickness;
             const Picture p = renderer.render(lit, 2);
-            const Range r = rangeOf(p);
+            const Statistics r = ofGeometry(p);
             EXPECT_TRUE(p.finite()) << int(method) << " " << radius << " " << thickness;
             EXPECT_GE(r.least, radius == 0.0f ? 1.0 : 0.0) << int(method) << " " << radius << " " << thickness;
             EXPECT_LE(r.most, 1.0 + 1e-6) << int(method) << " " << radius << " " << thickness;

@@ -59,26 +59,4 @@ inline double crossing(const Picture& p, double level)
     return -1.0;
 }
 
-struct Statistics {
-    double least = 1.0;
-    double most = 0.0;
-    double mean = 0.0;
-};
-
-inline Statistics ofGeometry(const Picture& p)
-{
-    Statistics s;
-    int count = 0;
-    for (int y = 0; y < p.height; ++y)
-        for (int x = 0; x < p.width; ++x) {
-            if (!(p.alpha(x, y) > 0.5f)) continue;
-            s.least = std::min(s.least, double(p.color(x, y)[0]));
-            s.most = std::max(s.most, double(p.color(x, y)[0]));
-            s.mean += double(p.color(x, y)[0]);
-            ++count;
-        }
-    s.mean /= std::max(count, 1);
-    return s;
-}
-
 }  // namespace sunscenes

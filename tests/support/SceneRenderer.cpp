@@ -3,6 +3,7 @@
 
 #include <osg/Geometry>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -90,6 +91,24 @@ std::vector<double> SceneRenderer::time(osg::Node* scene, int frames)
         milliseconds.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
     }
     return milliseconds;
+}
+
+Statistics ofGeometry(const Picture& picture)
+{
+    Statistics s;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) {
+            if (!(picture.alpha(x, y) > 0.5f)) continue;
+            for (int k = 0; k < 3; ++k) {
+                const double v = picture.color(x, y)[k];
+                s.least = std::min(s.least, v);
+                s.most = std::max(s.most, v);
+                s.mean += v;
+            }
+            ++s.pixels;
+        }
+    s.mean /= 3.0 * std::max(s.pixels, 1);
+    return s;
 }
 
 osg::ref_ptr<osg::Image> constantMap(double radiance)

@@ -21,6 +21,15 @@ using osgEnvLight::Picture;
 double rootMeanSquare(const Picture& a, const Picture& b);
 double largestDifference(const Picture& a, const Picture& b);
 
+/** Of all channels of the pixels with geometry. */
+struct Statistics {
+    double least = 1e30;
+    double most = -1e30;
+    double mean = 0.0;
+    int pixels = 0;
+};
+Statistics ofGeometry(const Picture& picture);
+
 /** Draws scene graphs into float pictures, in a headless context of its own: a State of OSG's takes a fresh context for
  * granted. One at a time is current.*/
 class SceneRenderer
