@@ -8,6 +8,7 @@
 #include <osg/Program>
 
 #include <algorithm>
+#include <cmath>
 
 namespace osgEnvLight
 {
@@ -56,11 +57,29 @@ void AtlasRefresh::prepare(const ShadowTargets& targets, const std::vector<Shado
     const osg::Matrixd toOrigin = osg::Matrixd::translate(-targets.origin);
     bool dynamic = false;
     for (const Caster& caster : casters) {
-        _casters.push_back({caster.geometry, new osg::RefMatrix(caster.worldFromModel * toOrigin), caster.state});
+        osg::BoundingBoxd bound = boundOf({caster});
+        bound._min -= targets.origin;
+        bound._max -= targets.origin;
+        _casters.push_back({caster.geometry, new osg::RefMatrix(caster.worldFromModel * toOrigin), caster.state, bound});
         dynamic = dynamic || caster.geometry->getDataVariance() == osg::Object::DYNAMIC;
     }
     // The draw of what changes must be over before the next update: OSG counts this drawable instead of the casters.
     setDataVariance(dynamic ? osg::Object::DYNAMIC : osg::Object::STATIC);
+}
+
+// What lies above the map's heights casts shadows into it, what lies below does not.
+bool AtlasRefresh::Map::shows(const osg::BoundingBoxd& bound) const
+{
+    const osg::Matrixd& m = *projection;
+    const osg::Vec3d center = bound.center() * m, half = (bound._max - bound._min) * 0.5;
+    double lowest[3], highest[3];
+    for (int column = 0; column < 3; ++column) {
+        double reach = 1e-3;
+        for (int row = 0; row < 3; ++row) reach += std::abs(half[row] * m(row, column));
+        lowest[column] = center[column] - reach;
+        highest[column] = center[column] + reach;
+    }
+    return lowest[0] <= 1.0 && highest[0] >= -1.0 && lowest[1] <= 1.0 && highest[1] >= -1.0 && lowest[2] <= 1.0;
 }
 
 void AtlasRefresh::drawImplementation(osg::RenderInfo& renderInfo) const
@@ -109,6 +128,7 @@ void AtlasRefresh::drawRun(osg::RenderInfo& renderInfo, size_t caster, size_t ca
         setUniform(state, "atlasMapIndex", int(_maps[k].index), 0);
         state.applyProjectionMatrix(_maps[k].projection.get());
         for (size_t i = caster; i < casterEnd; ++i) {
+            if (!_maps[k].shows(_casters[i].bound)) continue;
             state.applyModelViewMatrix(_casters[i].modelView.get());
             if (state.getUseModelViewAndProjectionUniforms()) state.applyModelViewAndProjectionUniformsIfRequired();
             _casters[i].geometry->draw(renderInfo);

@@ -56,10 +56,10 @@ std::string describe(const Accumulation& a, const Settings& settings)
 
 }  // namespace
 
-Accumulation::Key DeferredTechnique::stillKey(Cull& c, osgUtil::CullVisitor& cv, const osg::Matrixd& worldFromEye)
+Accumulation::Key DeferredTechnique::stillKey(Cull& c, osgUtil::CullVisitor& cv)
 {
     Accumulation::Key key;
-    key.view = worldFromEye;
+    key.view = c.worldFromEye;
     key.projection = *cv.getProjectionMatrix();
     key.mapFromWorld = c.mapFromWorld;
     key.radianceScale = c.radianceScale;
@@ -69,24 +69,25 @@ Accumulation::Key DeferredTechnique::stillKey(Cull& c, osgUtil::CullVisitor& cv,
     return key;
 }
 
-void DeferredTechnique::advanceStillView(Cull& c, osgUtil::CullVisitor& cv, const osg::Matrixd& worldFromEye)
+void DeferredTechnique::advanceStillView(Cull& c, osgUtil::CullVisitor& cv)
 {
     ViewData& v = c.view;
     if (!v.plan.accumulate) {
         v.dropAccumulation();
         for (const char* pass : {"still", "accumulate", "stillerror"}) v.dropTarget(pass);
         v.dropAtlas("accumulate");
+        v.dropAtlas("accumulate finer");
         c.frame.setUniforms(nullptr);
     } else {
         v.target("still", {GL_RGBA32F_ARB});
         v.target("accumulate", {GL_RGBA32F_ARB, GL_R32F});
         v.target("stillerror", {GL_RGBA32F_ARB}, errorBlocks);
         Accumulation& a = v.accumulation();
-        const ShadowAtlas& sky = *skyAtlas(c).maps;
-        a.advance(stillKey(c, cv, worldFromEye), !sky.moved() && sky.waiting() == 0, v.textures().map());
+        a.advance(stillKey(c, cv), !skyAtlas(c).maps->moved() && _waitingMaps == 0, v.textures().map());
         c.still = &a;
         c.frame.setUniforms(&a);
         if (a.adds()) v.atlas("accumulate", Accumulation::lightsPerFrame, a.mapSize());
+        if (a.adds() && c.finer) v.atlas("accumulate finer", Accumulation::lightsPerFrame, a.mapSize());
         // What is drawn forward has no offset, nor has a background of the host's.
         if (a.adds() && v.plan.surfaces.forward == 0 && c.settings.background != Settings::BACKGROUND_OFF) {
             const osg::Vec2d offset = r2Point(a.frames()) - osg::Vec2d(0.5, 0.5);
@@ -108,17 +109,24 @@ void DeferredTechnique::addStillPicture(Cull& c, osgUtil::CullVisitor& cv)
 void DeferredTechnique::addAccumulation(Cull& c, osgUtil::CullVisitor& cv)
 {
     const Accumulation& a = *c.still;
-    ViewData::Atlas& atlas = c.view.atlas("accumulate", Accumulation::lightsPerFrame, a.mapSize());
-    atlas.maps->turn(a.frames());
-    atlas.maps->setCasters(c.casters);
-    refreshAtlas(c, cv, "stillmaps", atlas, a.lights(), Accumulation::lightsPerFrame);
+    ShadowAtlas* maps[] = {nullptr, nullptr};
+    for (const bool finer : {false, true}) {
+        if (finer && !c.finer) continue;
+        ViewData::Atlas& atlas =
+            c.view.atlas(finer ? "accumulate finer" : "accumulate", Accumulation::lightsPerFrame, a.mapSize());
+        maps[finer] = atlas.maps.get();
+        if (finer) atlas.maps->setFocus(c.finer->focus());
+        atlas.maps->turn(a.frames());
+        atlas.maps->setCasters(c.casters);
+        refreshAtlas(c, cv, finer ? "stillmaps finer" : "stillmaps", atlas, a.lights(), Accumulation::lightsPerFrame);
+    }
 
     Target& average = c.view.target("accumulate", {});
     PassInputs in = pictureInputs(c);
     in.adds = a.frames() > 1;
-    in.samplers.push_back({"atlasMap", atlas.maps->texture()});
+    addMaps(in, *maps[0], maps[1]);
     addLobes(c, in);
-    addPass(c, cv, "accumulate", average, passState(c, "accumulate", in), placesOf(c, *atlas.maps));
+    addPass(c, cv, "accumulate", average, passState(c, "accumulate", in), placesOf(c, *maps[0], maps[1]));
     if (measuresError(a.frames())) addStillError(c, cv, average);
 }
 

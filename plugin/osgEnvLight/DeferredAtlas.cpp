@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// When the sky shadow atlas of a view is drawn, and with what.
+// When the sky shadow atlas of a view is drawn, and with what: the maps of the scene and, in a large one, of what the view shows.
 #include <osgEnvLight/DeferredTechnique>
 
 #include <osgUtil/CullVisitor>
 #include <osgViewer/View>
+
+#include <sstream>
 
 namespace osgEnvLight
 {
@@ -15,6 +17,39 @@ namespace
 // 256 maps of 40 000 drawn twice.
 const double firstFrameTriangles = 2e7;
 
+bool fitsIntoAFrame(const ShadowAtlas& atlas)
+{
+    return 2.0 * atlas.lights * double(atlas.triangles()) <= firstFrameTriangles;
+}
+
+// But for near and far, which OSG goes on adjusting.
+bool sameView(const ViewData::Surroundings& s, const osg::Matrixd& worldFromEye, const osg::Matrixd& projection)
+{
+    for (int row = 0; row < 4; ++row)
+        for (int column : {0, 1, 3})
+            if (s.projection(row, column) != projection(row, column)) return false;
+    return s.worldFromEye == worldFromEye;
+}
+
+// Whether a view may show less of the box than the largest neighbourhood: the nearest that there may be is less wide in it.
+bool mayShowLittle(const osg::BoundingBoxd& box, const ShadowView& view)
+{
+    const osg::Matrixd eyeFromWorld = osg::Matrixd::inverse(view.worldFromEye);
+    double depth = 1e300;
+    for (unsigned i = 0; i < 8; ++i) depth = std::min(depth, -(box.corner(i) * eyeFromWorld).z());
+    depth = std::max(depth, 0.0);
+    return (view.at(1, 1, depth) - view.at(-1, -1, depth)).length() < Neighbourhood::largest * diagonal(box);
+}
+
+std::string describe(const osg::BoundingSphered& neighbourhood)
+{
+    std::ostringstream out;
+    out.imbue(std::locale::classic());
+    out.precision(3);
+    out << ", and as many of the view's neighbourhood, " << 2.0 * neighbourhood.radius() << " across";
+    return out.str();
+}
+
 }  // namespace
 
 ViewData::Atlas& DeferredTechnique::skyAtlas(Cull& c)
@@ -22,39 +57,100 @@ ViewData::Atlas& DeferredTechnique::skyAtlas(Cull& c)
     return c.view.atlas("atlas", c.view.plan.occlusionLights, unsigned(c.settings.atlasSize));
 }
 
-DeferredTechnique::ShadowPlaces DeferredTechnique::placesOf(Cull& c, const ShadowAtlas& atlas)
+// The atlas of the view's neighbourhood, if there is one; and whether this frame must measure what the view shows.
+ViewData::Atlas* DeferredTechnique::finerAtlas(Cull& c, const osg::Matrixd& projection)
 {
-    return {&c.frame.atlasState(atlas, 1.0 / c.view.textures().map().mean), atlas.origin()};
+    ViewData::Surroundings& s = c.view.surroundings;
+    const osg::BoundingBoxd box = boundOf(c.casters);
+    if (!box.valid() || !mayShowLittle(box, {c.worldFromEye, projection, c.view.height()})) {
+        s = {};
+        c.view.dropTarget("seen");
+    } else {
+        if (!s.seen) s.seen = new SeenPointsBuffer;
+        if (const std::optional<SeenPoints> seen = s.seen->take()) s.neighbourhood.follow(*seen, 0.5 * diagonal(box));
+        if (!sameView(s, c.worldFromEye, projection) || skyAtlas(c).maps->moved()) s.frames = 0;
+        s.worldFromEye = c.worldFromEye;
+        s.projection = projection;
+        c.measures = s.frames < 2;
+        if (s.frames < s.known) ++s.frames;
+    }
+    if (s.neighbourhood.sphere().valid())
+        return &c.view.atlas("finer atlas", c.view.plan.occlusionLights, unsigned(c.settings.atlasSize));
+    c.view.dropAtlas("finer atlas");
+    c.view.dropAtlas("accumulate finer");
+    return nullptr;
+}
+
+DeferredTechnique::ShadowPlaces DeferredTechnique::placesOf(Cull& c, const ShadowAtlas& atlas, const ShadowAtlas* finer)
+{
+    return {&c.frame.atlasState(atlas, finer, 1.0 / c.view.textures().map().mean), atlas.origin()};
+}
+
+void DeferredTechnique::addMaps(PassInputs& in, ShadowAtlas& atlas, ShadowAtlas* finer)
+{
+    in.samplers.push_back({"atlasMap", atlas.texture()});
+    if (!finer) return;
+    in.defines.push_back("HAS_NEIGHBOURHOOD");
+    in.samplers.push_back({"finerAtlasMap", finer->texture()});
 }
 
 void DeferredTechnique::addAtlas(Cull& c, osgUtil::CullVisitor& cv)
 {
     if (!c.view.plan.atlas) {
         c.view.dropAtlas("atlas");
+        c.view.dropAtlas("finer atlas");
+        c.view.dropTarget("seen");
+        c.view.surroundings = {};
         _waitingMaps = 0;
         return;
     }
     ViewData::Atlas& own = skyAtlas(c);
     ShadowAtlas& atlas = *own.maps;
     atlas.setCasters(c.casters);
-    const bool atOnce = c.settings.regeneration == Settings::IMMEDIATE ||
-                        (atlas.version() == 0 && 2.0 * atlas.lights * double(atlas.triangles()) <= firstFrameTriangles);
-    refreshAtlas(c, cv, "atlas", own, c.view.textures().occlusionList(atlas.lights),
-                 atOnce ? atlas.lights : unsigned(c.settings.atlasUpdatesPerFrame));
-    _waitingMaps = atlas.waiting();
-    if (auto* view = dynamic_cast<osgViewer::View*>(cv.getRenderInfo().getView()); view && atlas.waiting() > 0)
-        view->requestRedraw();
+    ViewData::Atlas* finer = finerAtlas(c, *cv.getProjectionMatrix());
+    const LightList list = c.view.textures().occlusionList(atlas.lights);
+    const auto atOnce = [&](const ShadowAtlas& maps) {
+        return c.settings.regeneration == Settings::IMMEDIATE || (maps.version() == 0 && fitsIntoAFrame(maps));
+    };
+    // Where both atlases wait, they share.
+    const unsigned budget = unsigned(c.settings.atlasUpdatesPerFrame);
+    const unsigned share = finer && finer->maps->waiting() > 0 ? (budget + 1) / 2 : budget;
+    const unsigned drawn = refreshAtlas(c, cv, "atlas", own, list, atOnce(atlas) ? atlas.lights : share);
+    unsigned waiting = atlas.waiting();
+    if (finer) {
+        c.finer = finer->maps.get();
+        c.finer->setFocus(c.view.surroundings.neighbourhood.sphere());
+        c.finer->setCasters(c.casters);
+        refreshAtlas(c, cv, "finer atlas", *finer, list, atOnce(*c.finer) ? atlas.lights : budget - std::min(drawn, budget));
+        waiting += c.finer->waiting();
+        for (Plan::Reason& r : c.view.plan.reasons)
+            if (r.pass == "atlas") r.reason += describe(c.finer->focus());
+    }
+    const ViewData::Surroundings& s = c.view.surroundings;
+    _waitingMaps = waiting + (s.frames > 0 && s.frames < s.known ? 1 : 0);
+    auto* view = dynamic_cast<osgViewer::View*>(cv.getRenderInfo().getView());
+    if (view && _waitingMaps > 0) view->requestRedraw();
 }
 
-void DeferredTechnique::refreshAtlas(Cull& c, osgUtil::CullVisitor& cv, const std::string& name, ViewData::Atlas& own,
-                                     const LightList& list, unsigned budget)
+unsigned DeferredTechnique::refreshAtlas(Cull& c, osgUtil::CullVisitor& cv, const std::string& name, ViewData::Atlas& own,
+                                         const LightList& list, unsigned budget)
 {
     ShadowAtlas& atlas = *own.maps;
     LightList lights = inWorld(c, list);
     lights.resize(atlas.lights, DirectionalLight{osg::Vec3d(0, 0, 1), osg::Vec3d()});  // dark ones
     const std::vector<ShadowRefresh> refreshes = atlas.update(lights, budget);
-    if (refreshes.empty()) return;
-    addRefresh(c, cv, name, "pass/midpoint.frag", *own.camera, atlas.targets(), refreshes, atlas.drawn());
+    if (!refreshes.empty()) addRefresh(c, cv, name, "pass/midpoint.frag", *own.camera, atlas.targets(), refreshes, atlas.drawn());
+    return unsigned(refreshes.size());
+}
+
+void DeferredTechnique::addSeenPoints(Cull& c, osgUtil::CullVisitor& cv, Target& points)
+{
+    osg::ref_ptr<Pass>& pass = c.frame.passes["seen"];
+    if (!pass) pass = new Pass(new SeenPointsPass(&c.view.timer("seen")));
+    static_cast<SeenPointsPass&>(pass->drawable()).buffer = c.view.surroundings.seen;
+    PassInputs in;
+    in.viewport = points.viewport.get();
+    addPass(c, cv, "seen", points, passState(c, "seen", in));
 }
 
 }  // namespace osgEnvLight

@@ -33,6 +33,7 @@ AtlasRefresh::States DeferredTechnique::mapStates(Cull& c, const std::string& na
         if (!state.isNew) continue;
         s.setAttribute(_library->program("pass/caster.vert", "pass/caster.frag"), on);
         s.setAttributeAndModes(new osg::Depth(osg::Depth::LESS, 0, 1, true), on);
+        s.setMode(GL_DEPTH_CLAMP, on);  // what lies above a map's heights casts shadows into it
         s.addUniform(new osg::Uniform("baseColorMap", 0));
         if (!second) continue;
         s.setDefine("CASTER_SECOND");

@@ -116,10 +116,12 @@ void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
     Target* blocks = plan.bounce ? &c.view.target("bounce", std::vector<GLint>(5, GL_RGBA32F_ARB), bounceBlocks) : nullptr;
     const int bounceSums = 8;  // five are used
     Target* bounce = plan.bounce ? &c.view.target("bouncesum", {GL_RGBA32F_ARB}, bounceSums) : nullptr;
+    Target* points = c.measures ? &c.view.target("seen", {GL_RGBA32F_ARB}, SeenPointsBuffer::side) : nullptr;
     for (const Plan::Reason& r : plan.reasons)
         if (!r.runs) c.view.dropTarget(r.pass);
     if (!plan.bounce) c.view.dropTarget("bouncesum");
 
+    if (points) addSeenPoints(c, cv, *points);
     if (c.shadesSuns()) addSunShadows(c, cv, *seen, *visibility);
     if (diffuse) {
         PassInputs in;
@@ -218,9 +220,9 @@ void DeferredTechnique::addOcclusion(Cull& c, osgUtil::CullVisitor& cv, Target& 
     ShadowPlaces places;
     if (plan.atlas) {
         ShadowAtlas& atlas = *skyAtlas(c).maps;
-        places = placesOf(c, atlas);
+        places = placesOf(c, atlas, c.finer);
         in.defines.push_back("HAS_ATLAS");
-        in.samplers = {{"atlasMap", atlas.texture()}};
+        addMaps(in, atlas, c.finer);
     } else {
         in.lights = plan.occlusionLights;
         in.samplers = {{"occlusionLightMap", textures.occlusionLights(plan.occlusionLights)}};

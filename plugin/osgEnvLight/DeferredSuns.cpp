@@ -7,13 +7,13 @@
 namespace osgEnvLight
 {
 
-void DeferredTechnique::addSunMaps(Cull& c, osgUtil::CullVisitor& cv, const osg::Matrixd& worldFromEye)
+void DeferredTechnique::addSunMaps(Cull& c, osgUtil::CullVisitor& cv)
 {
     const Plan& plan = c.view.plan;
     _drawnSunMaps = 0;
     if (!plan.sunShadows) c.view.dropSunShadows();
     if (!c.shadesSuns()) return;
-    const SunView view{worldFromEye, *cv.getProjectionMatrix(), c.view.height()};
+    const ShadowView view{c.worldFromEye, *cv.getProjectionMatrix(), c.view.height()};
     const auto size = unsigned(c.settings.sunShadowSize);
     const VisibleBoxes boxes(c.casters, view);
     const unsigned levels = SunShadows::wantedLevels(boundOf(c.casters), view, boxes, size);

@@ -70,6 +70,7 @@ try {
     const double radius = node.getBound().valid() ? double(node.getBound().radius()) : 0.0;
     const osg::Matrixd worldFromEye =
         host->getInitialViewMatrix() ? osg::Matrixd::inverse(*host->getInitialViewMatrix()) : osg::Matrixd();
+    c.worldFromEye = worldFromEye;
     c.frame.setUniforms(*settings, radius, radianceScale, *textures, worldFromEye * c.mapFromWorld);
     const bool sunny = Plan::wantsSunShadows(*settings) && radianceScale > 0.0 && !textures->suns().empty();
     lock.unlock();
@@ -86,8 +87,8 @@ try {
     vd.plan = Plan::make(*settings, vd.plan.surfaces, radianceScale <= 0.0, radius, carrier, textures->sunShare(),
                          c.casters.size(), c.ownGBuffer);
     addAtlas(c, cv);
-    advanceStillView(c, cv, worldFromEye);
-    addSunMaps(c, cv, worldFromEye);
+    advanceStillView(c, cv);
+    addSunMaps(c, cv);
     addPasses(c, cv);
     addComposite(c, cv);
     for (const ForwardGraph& f : forward) f.bin->addStateGraph(f.graph);

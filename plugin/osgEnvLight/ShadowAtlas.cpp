@@ -59,16 +59,20 @@ void ShadowAtlas::place(Map& map, unsigned index, const osg::Vec3d& direction) c
     map.across = t * std::cos(turn) + b * std::sin(turn);
     map.up = b * std::cos(turn) - t * std::sin(turn);
     map.along = direction;
-    map.center = _box.center();
-    map.radius = 0.0;
-    for (unsigned i = 0; i < 8; ++i) {
+    map.center = _focus.valid() ? _focus.center() : _box.center();
+    map.radius = _focus.valid() ? _focus.radius() : 0.0;
+    for (unsigned i = 0; i < 8 && !_focus.valid(); ++i) {
         const osg::Vec3d corner = _box.corner(i) - map.center;
         for (const osg::Vec3d& axis : {map.across, map.up, map.along}) map.radius = std::max(map.radius, std::abs(corner * axis));
     }
     map.radius *= 1.0 + 2.0 / size;  // a texel about
+    const double texel = 2.0 * map.radius / size;
+    if (_focus.valid())  // the next focus's texels are these
+        for (const osg::Vec3d& axis : {map.across, map.up})
+            map.center += axis * (std::round(map.center * axis / texel) * texel - map.center * axis);
     if (_turn == 0) return;
     const osg::Vec2d shift = r2Point(index + lights * _turn) - osg::Vec2d(0.5, 0.5);
-    map.center += (map.across * shift[0] + map.up * shift[1]) * (2.0 * map.radius / size);
+    map.center += (map.across * shift[0] + map.up * shift[1]) * texel;
 }
 
 osg::Matrixd ShadowAtlas::projection(const Map& map) const
@@ -92,9 +96,25 @@ double ShadowAtlas::priority(const Map& map, const osg::Vec3d& flux) const
     return map.outdated ? sum * (1.0 + map.age) : 0.0;
 }
 
+void ShadowAtlas::setFocus(const osg::BoundingSphered& sphere)
+{
+    if (sphere.center() == _focus.center() && sphere.radius() == _focus.radius()) return;
+    _formerFocus = _focus.valid() ? shown() : sphere;
+    _focus = sphere;
+    for (Map& map : _maps) map.outdated = true;
+}
+
+osg::BoundingSphered ShadowAtlas::shown() const
+{
+    const double left = double(_waiting) / lights;
+    return osg::BoundingSphered(_focus.center() + (_formerFocus.center() - _focus.center()) * left,
+                                _focus.radius() + (_formerFocus.radius() - _focus.radius()) * left);
+}
+
 void ShadowAtlas::setCasters(const std::vector<Caster>& casters)
 {
-    const double texel = _box.valid() ? diagonal(_box) / size : 0.0;
+    const double side = _focus.valid() ? 2.0 * _focus.radius() : diagonal(_box);
+    const double texel = _box.valid() ? side / size : 0.0;
     _moved = !sameShadows(casters, _casters, 0.02 * texel);
     if (_moved) {
         fit(casters);
@@ -102,8 +122,8 @@ void ShadowAtlas::setCasters(const std::vector<Caster>& casters)
         _merged = nullptr;
         _triangles = trianglesOf(_casters);
     }
-    // A scene that moves is drawn as it is.
-    if (!_merged && (!_moved || _version == 0) && _box.valid()) merge();
+    // A scene that moves is drawn as it is, and one of which most lies beyond the focus.
+    if (!_merged && (!_moved || _version == 0) && _box.valid() && !_focus.valid()) merge();
 }
 
 void ShadowAtlas::merge()
@@ -175,29 +195,52 @@ std::vector<ShadowRefresh> ShadowAtlas::update(const LightList& list, unsigned b
     return refreshes;
 }
 
-osg::ref_ptr<osg::Image> ShadowAtlas::lightImage(double scale) const
+namespace
+{
+
+void writeRow(osg::Image& image, unsigned light, unsigned row, const osg::Vec3d& v, double w)
+{
+    float* out = reinterpret_cast<float*>(image.data(light / 16, 4 * (light % 16) + row));
+    for (int k = 0; k < 3; ++k) out[k] = float(v.ptr()[k]);
+    out[3] = float(w);
+}
+
+}  // namespace
+
+void ShadowAtlas::writePlace(osg::Image& image, unsigned index, unsigned firstRow, const osg::Vec3d& origin) const
+{
+    const Map& map = _maps[index];
+    const osg::Vec3d along = map.drawn ? map.along : _list[index].direction;
+    const osg::Vec3d center = map.center - origin;
+    const double height = map.drawn ? 0.5 / map.radius : 1.0;
+    const double texels = height * size;
+    writeRow(image, index, firstRow, map.across * texels, 0.5 * size - center * map.across * texels);
+    writeRow(image, index, firstRow + 1, map.up * texels, 0.5 * size - center * map.up * texels);
+    writeRow(image, index, firstRow + 2, along * height, 0.5 - center * along * height);
+}
+
+// While lights move, maps of the one atlas may be of where a light was and those of the other not.
+bool ShadowAtlas::showsAs(const ShadowAtlas& other, unsigned index) const
+{
+    const Map &map = _maps[index], &like = other._maps[index];
+    return map.drawn && like.drawn && (map.along - like.along).length() <= movedLight;
+}
+
+osg::ref_ptr<osg::Image> ShadowAtlas::lightImage(double scale, const ShadowAtlas* finer) const
 {
     osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->allocateImage(int(lights / 16), 64, 1, GL_RGBA, GL_FLOAT);
+    image->allocateImage(int(lights / 16), finer ? 128 : 64, 1, GL_RGBA, GL_FLOAT);
     image->setInternalTextureFormat(GL_RGBA32F_ARB);
-    const auto write = [&](unsigned i, unsigned row, const osg::Vec3d& v, double w) {
-        float* out = reinterpret_cast<float*>(image->data(i / 16, 4 * (i % 16) + row));
-        for (int k = 0; k < 3; ++k) out[k] = float(v.ptr()[k]);
-        out[3] = float(w);
-    };
     for (unsigned i = 0; i < lights; ++i) {
         const Map& map = _maps[i];
-        const osg::Vec3d along = map.drawn ? map.along : _list[i].direction;
-        const osg::Vec3d center = map.center - _targets.origin;
-        const double height = map.drawn ? 0.5 / map.radius : 1.0;
-        const double texels = height * size;
-        write(i, 0, map.across * texels, 0.5 * size - center * map.across * texels);
-        write(i, 1, map.up * texels, 0.5 * size - center * map.up * texels);
-        write(i, 2, along * height, 0.5 - center * along * height);
+        writePlace(*image, i, 0, _targets.origin);
         if (map.drawn)
-            write(i, 3, map.flux * scale, std::max(map.solidAngle, 1e-6));
+            writeRow(*image, i, 3, map.flux * scale, std::max(map.solidAngle, 1e-6));
         else
-            write(i, 3, _list[i].flux * scale, -std::max(_solidAngles[i], 1e-6));
+            writeRow(*image, i, 3, _list[i].flux * scale, -std::max(_solidAngles[i], 1e-6));
+        if (!finer) continue;
+        finer->writePlace(*image, i, 64, _targets.origin);
+        writeRow(*image, i, 67, osg::Vec3d(), finer->showsAs(*this, i) ? 1.0 : -1.0);
     }
     return image;
 }
@@ -207,6 +250,13 @@ double ShadowAtlas::texel() const
     double radius = 0.0;
     for (const Map& map : _maps) radius = std::max(radius, map.radius);
     return 2.0 * radius / size;
+}
+
+bool ShadowAtlas::complete() const
+{
+    for (unsigned i = 0; i < lights; ++i)
+        if (!_maps[i].drawn && (_list.empty() || sumOf(_list[i].flux) > 0.0)) return false;
+    return true;
 }
 
 void ShadowAtlas::resizeGLObjectBuffers(unsigned maximum)

@@ -18,7 +18,7 @@ const double coarsest = 1.0;  // pixels of the view that a texel may be wide
 const double spare = 1.25;    // a level's side, in sides of what it must show: how far the view may wander
 
 // Up to which depth texels are wider than the view's pixels ask for; 0 where none are.
-double depthOfWideTexels(double texel, const SunView& view, const VisibleBoxes& boxes)
+double depthOfWideTexels(double texel, const ShadowView& view, const VisibleBoxes& boxes)
 {
     const double at0 = view.footprint(0.0), at1 = view.footprint(1.0);
     const double slope = at1 - at0;
@@ -88,7 +88,8 @@ unsigned SunShadows::sizeOf(unsigned maps, unsigned wanted)
     return std::max(unsigned(wanted * std::sqrt(double(most) / maps)) / 16 * 16, 64u);
 }
 
-unsigned SunShadows::wantedLevels(const osg::BoundingBoxd& scene, const SunView& view, const VisibleBoxes& boxes, unsigned size)
+unsigned SunShadows::wantedLevels(const osg::BoundingBoxd& scene, const ShadowView& view, const VisibleBoxes& boxes,
+                                  unsigned size)
 {
     if (boxes.empty()) return 1;
     const double wide = diagonal(scene) / size / (coarsest * view.footprint(boxes.nearest()));
@@ -140,7 +141,7 @@ SunShadows::Rectangle SunShadows::snapped(const osg::BoundingBoxd& needed, const
             sides};
 }
 
-void SunShadows::fitLevels(const Sun& sun, const SunView& view, const VisibleBoxes& boxes, Rectangles& rectangles) const
+void SunShadows::fitLevels(const Sun& sun, const ShadowView& view, const VisibleBoxes& boxes, Rectangles& rectangles) const
 {
     const osg::BoundingBoxd scene = rectangleOf(sun.axes, cornersOf(_box));
     Rectangle& whole = rectangles[0];
@@ -163,7 +164,7 @@ void SunShadows::fitLevels(const Sun& sun, const SunView& view, const VisibleBox
 
 // Of what the view shows, as much of that for which the former's texels are too wide as fits into one half as wide; not valid
 // where nothing is.
-osg::BoundingBoxd SunShadows::nearPart(const Sun& sun, const SunView& view, const VisibleBoxes& boxes,
+osg::BoundingBoxd SunShadows::nearPart(const Sun& sun, const ShadowView& view, const VisibleBoxes& boxes,
                                        const Rectangle& former) const
 {
     const osg::BoundingBoxd scene = rectangleOf(sun.axes, cornersOf(_box));
@@ -196,8 +197,8 @@ ShadowRefresh SunShadows::refresh(unsigned index, unsigned level) const
     return {index * levels + level, m, float(r.texel(size) / (sun.high - sun.low))};
 }
 
-std::vector<ShadowRefresh> SunShadows::update(const std::vector<Caster>& casters, const DominantLights& list, const SunView& view,
-                                              const VisibleBoxes& boxes)
+std::vector<ShadowRefresh> SunShadows::update(const std::vector<Caster>& casters, const DominantLights& list,
+                                              const ShadowView& view, const VisibleBoxes& boxes)
 {
     double texel = _box.valid() ? diagonal(_box) / size : 0.0;
     for (const Sun& sun : _suns)

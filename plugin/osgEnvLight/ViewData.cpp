@@ -95,23 +95,35 @@ void Frame::setUniforms(const Accumulation* still)
     _accumulatedFrames->set(still ? float(still->equalFrames()) : 0.0f);
 }
 
-osg::StateSet& Frame::atlasState(const ShadowAtlas& atlas, double scale)
+osg::StateSet& Frame::atlasState(const ShadowAtlas& atlas, const ShadowAtlas* finer, double scale)
 {
     if (!_atlasState) {
         _atlasState = new osg::StateSet(*uniforms);
         _atlasState->addUniform(new osg::Uniform("atlasLightMap", int(atlasLightUnit)));
         _atlasState->addUniform(new osg::Uniform("atlasTexel", 0.0f));
         _atlasState->addUniform(new osg::Uniform("atlasSize", 0));  // a still view's differs from the setting
+        _atlasState->addUniform(new osg::Uniform("neighbourhood", osg::Vec4()));
+        _atlasState->addUniform(new osg::Uniform("neighbourhoodTexel", 0.0f));
     }
-    if (_atlas != &atlas || _atlasVersion != atlas.version() || _atlasScale != scale) {
-        const osg::ref_ptr<osg::Image> image = atlas.lightImage(scale);
+    const unsigned finerVersion = finer ? finer->version() : 0;
+    if (_atlas != &atlas || _atlasVersion != atlas.version() || _finerAtlas != finer || _finerVersion != finerVersion ||
+        _atlasScale != scale) {
+        const osg::ref_ptr<osg::Image> image = atlas.lightImage(scale, finer);
         osg::ref_ptr<osg::Texture2D> texture = targetTexture(image->s(), image->t(), GL_RGBA32F_ARB);
         texture->setImage(image);
         _atlasState->setTextureAttribute(atlasLightUnit, texture);
         _atlasState->getUniform("atlasTexel")->set(float(atlas.texel()));
         _atlasState->getUniform("atlasSize")->set(int(atlas.size));
+        if (finer) {
+            const osg::BoundingSphered shown = finer->shown();
+            const osg::Vec3 center = shown.center() - atlas.origin();
+            _atlasState->getUniform("neighbourhood")->set(osg::Vec4(center, float(shown.radius())));
+            _atlasState->getUniform("neighbourhoodTexel")->set(float(finer->complete() ? finer->texel() : atlas.texel()));
+        }
         _atlas = &atlas;
         _atlasVersion = atlas.version();
+        _finerAtlas = finer;
+        _finerVersion = finerVersion;
         _atlasScale = scale;
     }
     return *_atlasState;
@@ -219,6 +231,7 @@ void ViewData::resizeGLObjectBuffers(unsigned maximum)
     if (_textures) _textures->resizeGLObjectBuffers(maximum);
     for (auto& [pass, atlas] : _atlases) atlas.maps->resizeGLObjectBuffers(maximum);
     if (_sunShadows) _sunShadows->resizeGLObjectBuffers(maximum);
+    if (surroundings.seen) surroundings.seen->resizeGLObjectBuffers(maximum);
     for (auto& [name, target] : _targets) {
         for (auto& t : target->textures) t->resizeGLObjectBuffers(maximum);
         target->frameBuffer->resizeGLObjectBuffers(maximum);
@@ -237,6 +250,7 @@ void ViewData::releaseGLObjects(osg::State* state) const
     for (const auto& [pass, atlas] : _atlases) atlas.maps->releaseGLObjects(state);
     if (_sunShadows) _sunShadows->releaseGLObjects(state);
     if (_accumulation) _accumulation->reset();
+    if (surroundings.seen) surroundings.seen->releaseGLObjects(state);
     for (const auto& [name, target] : _targets) {
         for (const auto& t : target->textures) t->releaseGLObjects(state);
         target->frameBuffer->releaseGLObjects(state);

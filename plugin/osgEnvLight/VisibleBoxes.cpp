@@ -34,14 +34,14 @@ Polygon cut(const Polygon& polygon, const Distance& distance)
 
 }  // namespace
 
-osg::Vec3d SunView::at(double x, double y, double depth) const
+osg::Vec3d ShadowView::at(double x, double y, double depth) const
 {
     const osg::Matrixd inverse = osg::Matrixd::inverse(projection);
     const osg::Vec3d a = osg::Vec3d(x, y, -1.0) * inverse, b = osg::Vec3d(x, y, 0.5) * inverse;
     return (a + (b - a) * ((-depth - a.z()) / (b.z() - a.z()))) * worldFromEye;
 }
 
-double SunView::footprint(double depth) const
+double ShadowView::footprint(double depth) const
 {
     return (at(0.0, 2.0 / height, depth) - at(0.0, 0.0, depth)).length();
 }
@@ -52,7 +52,7 @@ struct VisibleBoxes::Pyramid {
     std::array<Polygon, 4> faces;
 };
 
-VisibleBoxes::VisibleBoxes(const std::vector<Caster>& casters, const SunView& view)
+VisibleBoxes::VisibleBoxes(const std::vector<Caster>& casters, const ShadowView& view)
     : _eyeFromWorld(osg::Matrixd::inverse(view.worldFromEye))
 {
     const osg::BoundingBoxd all = boundOf(casters);

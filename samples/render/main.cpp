@@ -45,9 +45,11 @@ void addOptions(CLI::App& app, Arguments& a)
 void draw(HeadlessViewer& viewer, const osgEnvLight::LitScene& lit, const Arguments& a, Statistics& statistics)
 {
     const bool converges = lit.getSettings()->accumulate;
-    const int normalFrames = 2;  // the second has all textures and shaders
+    const int normalFrames = 2;    // the second has all textures and shaders
+    const int settledFrames = 16;  // at most: what a large scene's view shows is known some frames later
+    const bool normal = a.frames <= 0 && a.error <= 0.0;
     const int most = a.frames > 0 ? a.frames : a.error > 0.0 ? 4096 : normalFrames;
-    while (statistics.frames < most) {
+    while (statistics.frames < most || (normal && lit.regenerating() && statistics.frames < settledFrames)) {
         const double time = converges ? 0.0 : statistics.frames / 30.0;
         (statistics.frames == 0 ? statistics.firstFrame : statistics.lastFrame) = viewer.draw(time);
         ++statistics.frames;

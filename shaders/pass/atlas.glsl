@@ -2,6 +2,7 @@
 // The lights of the sky shadow atlas, in the world about its origin.
 #ifndef PASS_ATLAS_GLSL
 #define PASS_ATLAS_GLSL
+#pragma import_defines(HAS_NEIGHBOURHOOD)
 
 #include "lib/atlas.glsl"
 
@@ -11,6 +12,12 @@ uniform sampler2D atlasLightMap; // rows 4q .. 4q + 3 of group q: texels across,
 uniform int atlasSize;           // of a map, in texels
 uniform float atlasTexel;        // its side in the world
 uniform mat4 atlasFromEye;
+#ifdef HAS_NEIGHBOURHOOD
+uniform sampler2D finerAtlasMap; // of what lies about the view; its rows of atlasLightMap follow from 64 on, the last with 1,
+                                 // or -1 where there is no map of that light yet
+uniform vec4 neighbourhood;      // centre and radius of what it shows
+uniform float neighbourhoodTexel;
+#endif
 
 struct AtlasLight {
     vec3 direction;
@@ -36,17 +43,57 @@ AtlasLight atlasLight(int group, int i)
     return light;
 }
 
+vec3 atlasPlace(ivec2 row, vec4 q)
+{
+    return vec3(dot(texelFetch(atlasLightMap, row, 0), q), dot(texelFetch(atlasLightMap, row + ivec2(0, 1), 0), q),
+                dot(texelFetch(atlasLightMap, row + ivec2(0, 2), 0), q));
+}
+
+ivec2 atlasCorner(sampler2D maps, int map)
+{
+    int columns = textureSize(maps, 0).x / atlasSize;
+    return ivec2(map % columns, map / columns) * atlasSize;
+}
+
+#ifdef HAS_NEIGHBOURHOOD
+// 1 or 0 as a map of the neighbourhood says; negative: it does not know.
+float neighbourhoodSees(AtlasLight light, vec3 p, vec3 n, float cosine)
+{
+    int map = 16 * light.index + light.group;
+    // Each light's ends elsewhere: the two atlases go over into each other.
+    float end = mix(0.8, 1.0, fract(float(map) * 0.61803399));
+    if (length(p - neighbourhood.xyz) >= end * neighbourhood.w) return -1.0;
+    ivec2 row = ivec2(light.index, 64 + 4 * light.group);
+    if (texelFetch(atlasLightMap, row + ivec2(0, 3), 0).a < 0.0) return -1.0;
+    vec3 place = atlasPlace(row, vec4(atlasLookupPoint(p, n, cosine, neighbourhoodTexel), 1.0));
+    // A map may still be where the neighbourhood was before.
+    vec3 extent = vec3(atlasSize, atlasSize, 1.0);
+    if (any(lessThan(place, vec3(0.0))) || any(greaterThanEqual(place, extent))) return -1.0;
+    return atlasVisible(finerAtlasMap, atlasCorner(finerAtlasMap, map), atlasSize, place.xy, place.z);
+}
+#endif
+
+// Side of the texels that a point is looked up in.
+float atlasTexelAt(vec3 p)
+{
+#ifdef HAS_NEIGHBOURHOOD
+    return mix(neighbourhoodTexel, atlasTexel, smoothstep(0.8, 1.0, length(p - neighbourhood.xyz) / neighbourhood.w));
+#else
+    return atlasTexel;
+#endif
+}
+
 // 1 if the light is seen from p with unit normal n, else 0. cosine: of the light to n.
 float atlasSees(AtlasLight light, vec3 p, vec3 n, float cosine)
 {
     if (light.texel < 0.0) return 1.0;
-    vec4 q = vec4(atlasLookupPoint(p, n, cosine, light.texel), 1.0);
-    ivec2 row = ivec2(light.index, 4 * light.group);
-    vec2 xy = vec2(dot(texelFetch(atlasLightMap, row, 0), q), dot(texelFetch(atlasLightMap, row + ivec2(0, 1), 0), q));
-    float height = dot(texelFetch(atlasLightMap, row + ivec2(0, 2), 0), q);
-    int columns = textureSize(atlasMap, 0).x / atlasSize;
-    int map = 16 * light.index + light.group;
-    return atlasVisible(atlasMap, ivec2(map % columns, map / columns) * atlasSize, atlasSize, xy, height);
+#ifdef HAS_NEIGHBOURHOOD
+    float seen = neighbourhoodSees(light, p, n, cosine);
+    if (seen >= 0.0) return seen;
+#endif
+    vec3 place = atlasPlace(ivec2(light.index, 4 * light.group), vec4(atlasLookupPoint(p, n, cosine, light.texel), 1.0));
+    ivec2 corner = atlasCorner(atlasMap, 16 * light.index + light.group);
+    return atlasVisible(atlasMap, corner, atlasSize, place.xy, place.z);
 }
 
 #endif

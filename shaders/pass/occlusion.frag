@@ -66,7 +66,7 @@ Slices pixelSlices(Receiver r, int group)
     v.inverseProjection = inverseProjection;
     v.size = viewportSize;
 #ifdef HAS_ATLAS
-    v.radius = nearRadius * atlasTexel;
+    v.radius = nearRadius * atlasTexelAt(vec3(atlasFromEye * vec4(r.eye, 1.0)));
     v.thickness = 0.25 * v.radius;
     v.taps = nearTaps;
 #else

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The sky shadow atlas against closed forms.
-#include <Oracles.h>
+#include "AtlasScenes.h"
+
 #include <SceneRenderer.h>
 
 #include <gtest/gtest.h>
@@ -8,50 +9,13 @@
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
 
-namespace
-{
+using atlasscenes::atlasScene;
 
-osg::ref_ptr<LitScene> atlasScene()
-{
-    osg::ref_ptr<LitScene> lit = makeLit(constantMap(1.0).get());
-    lit->getSettings()->view = Settings::VISIBILITY;
-    lit->getSettings()->visibility = Settings::VISIBILITY_ATLAS;
-    lit->getSettings()->regeneration = Settings::IMMEDIATE;
-    return lit;
-}
-
-// Visibility along a stretch of a row through the picture of a world point: the mean of all cells' groups.
-double visibilityBeside(SceneRenderer& renderer, const Picture& p, const osg::Vec3d& point)
-{
-    const int row = int(renderer.pixelOf(point).y());
-    double sum = 0.0;
-    for (int x = p.width / 2 - 8; x < p.width / 2 + 8; ++x) sum += double(p.color(x, row)[0]) / 16.0;
-    return sum;
-}
-
-}  // namespace
-
-// One turn of the map against the scene errs by 4 % at a = 1, where few of the 256 lights are low enough to meet the wall
-// (measured, standard deviation over turns); the mean of six by 1.7 %.
 TEST(Atlas, WallWithinThreePercent)
 {
     SceneRenderer renderer(384, 384);
-    osg::ref_ptr<LitScene> lit = atlasScene();
-    lit->addChild(makeQuad(osg::Vec3d(-8, -4, 0), osg::Vec3d(16, 0, 0), osg::Vec3d(0, 8, 0)));
-    lit->addChild(makeBox(osg::Vec3d(-8, 0, 0), osg::Vec3d(8, 2, 1)));
-    renderer.lookAt(osg::Vec3d(0, -9, 9), osg::Vec3d(0, 0, 0), osg::Vec3d(0, 0, 1), 30.0);
-    const int turns = 6;
-    const double distances[] = {0.1, 0.5, 1.0};
-    double occluded[3] = {};
-    for (int turn = 0; turn < turns; ++turn) {
-        lit->getEnvironmentMap()->setRotation(360.0 * turn / turns);
-        const Picture p = renderer.render(lit);
-        for (int i = 0; i < 3; ++i) occluded[i] += (1.0 - visibilityBeside(renderer, p, osg::Vec3d(0, -distances[i], 0))) / turns;
-    }
-    for (int i = 0; i < 3; ++i) {
-        const double expected = testmaths::oracle::verticalRectangle(distances[i], 8.0, 1.0);
-        EXPECT_NEAR(occluded[i] / expected, 1.0, 0.03) << "distance " << distances[i];
-    }
+    const osg::ref_ptr<LitScene> lit = atlasScene();
+    atlasscenes::expectWallWithinThreePercent(renderer, *lit);
 }
 
 // Heights are told apart by 5e-5 of the scene's size, texels on a plane at 89 degrees by more: there a light in 500 is lost.

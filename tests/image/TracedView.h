@@ -6,9 +6,10 @@
 
 #include <reference/Reference>
 
-/** The scene as the renderer's camera sees it now, its map unturned, by that many samples a pixel. */
+/** The scene as the renderer's camera sees it now, its map unturned, by that many samples a pixel.
+ * @param antialias  over the pixel, as a still view's average; else at its middle, as a normal frame */
 inline osgEnvLight::ReferenceResult tracedView(osgEnvLight::LitScene& lit, SceneRenderer& renderer, unsigned samples,
-                                               const std::set<osgEnvLight::Layer>& layers)
+                                               const std::set<osgEnvLight::Layer>& layers, bool antialias = true)
 {
     osg::Camera& camera = *renderer.viewer().getCamera();
     std::string error;
@@ -20,6 +21,6 @@ inline osgEnvLight::ReferenceResult tracedView(osgEnvLight::LitScene& lit, Scene
     osgEnvLight::ReferenceOptions options;
     options.estimator = osgEnvLight::ReferenceOptions::MIS;
     options.samples = samples;
-    options.antialias = true;
+    options.antialias = antialias;
     return osgEnvLight::Reference(rays, eye, environment).render(options, layers);
 }

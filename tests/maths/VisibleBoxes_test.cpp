@@ -8,7 +8,7 @@
 #include <random>
 
 using osgEnvLight::Caster;
-using osgEnvLight::SunView;
+using osgEnvLight::ShadowView;
 using osgEnvLight::VisibleBoxes;
 
 namespace
@@ -25,7 +25,7 @@ Caster box(const osg::Vec3& low, const osg::Vec3& high)
     return {geometry, osg::Matrixd(), nullptr, 0};
 }
 
-SunView viewFrom(const osg::Vec3d& eye, const osg::Vec3d& target, const osg::Matrixd& projection)
+ShadowView viewFrom(const osg::Vec3d& eye, const osg::Vec3d& target, const osg::Matrixd& projection)
 {
     return {osg::Matrixd::inverse(osg::Matrixd::lookAt(eye, target, osg::Vec3d(0, 0, 1))), projection, 256};
 }
@@ -45,7 +45,7 @@ TEST(VisibleBoxes, BoundsAreThoseOfRandomPoints)
     const osg::Vec3d eyes[] = {{0, -9, 4}, {-6, 1, 2}, {1, 0, -0.5}};  // before, beside, in the first box
     for (const osg::Matrixd& projection : projections)
         for (const osg::Vec3d& eye : eyes) {
-            const SunView view = viewFrom(eye, osg::Vec3d(0, 2, 0.3), projection);
+            const ShadowView view = viewFrom(eye, osg::Vec3d(0, 2, 0.3), projection);
             const VisibleBoxes boxes(casters, view);
             const osg::Matrixd eyeFromWorld = osg::Matrixd::inverse(view.worldFromEye);
             const double cut = 6.0;
@@ -80,7 +80,7 @@ TEST(VisibleBoxes, BoundsAreThoseOfRandomPoints)
 
 TEST(VisibleBoxes, NothingWhereNothingIs)
 {
-    const SunView view = viewFrom(osg::Vec3d(0, -9, 0), osg::Vec3d(0, 0, 0), osg::Matrixd::perspective(40.0, 1.0, 0.1, 10.0));
+    const ShadowView view = viewFrom(osg::Vec3d(0, -9, 0), osg::Vec3d(0, 0, 0), osg::Matrixd::perspective(40.0, 1.0, 0.1, 10.0));
     EXPECT_TRUE(VisibleBoxes({}, view).empty());
     EXPECT_TRUE(VisibleBoxes({box({-1, -20, -1}, {1, -18, 1})}, view).empty());                         // behind the eye
     EXPECT_TRUE(VisibleBoxes({box({50, 0, 0}, {51, 1, 1})}, view).empty());                             // beside the view

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// Shadow maps of what a view shows of a scene that is far larger.
+#include "AtlasScenes.h"
+
+#include <osgEnvLight/Plan>
+
+#include "TracedView.h"
+
+using namespace atlasscenes;
+using osgEnvLight::Layer;
+
+namespace
+{
+
+// Boxes in the corners of a square of that half side, out of all views here.
+void enlarge(LitScene& lit, double half)
+{
+    for (double x : {-half, half})
+        for (double y : {-half, half})
+            lit.addChild(makeBox(osg::Vec3d(x - 4, y - 4, -half / 20), osg::Vec3d(x + 4, y + 4, -half / 40)));
+}
+
+// Until what the view shows is known, and drawn.
+const int settled = 5;
+
+}  // namespace
+
+// A texel of maps of all of it would be four walls high.
+TEST(Neighbourhood, WallWithinThreePercentInALargeScene)
+{
+    SceneRenderer renderer(384, 384);
+    const osg::ref_ptr<LitScene> lit = atlasScene();
+    enlarge(*lit, 200.0);
+    expectWallWithinThreePercent(renderer, *lit, settled);
+}
+
+// Towers about the eye, which looks from among them.
+class Streets : public testing::Test
+{
+  protected:
+    Streets()
+    {
+        lit->getSettings()->regeneration = Settings::BACKGROUND;
+        lit->getSettings()->atlasLights = 64;
+        lit->addChild(makeBox(osg::Vec3d(-400, -400, -1), osg::Vec3d(400, 400, 0)));
+        for (int x = -5; x < 5; ++x)
+            for (int y = -5; y < 5; ++y)
+                lit->addChild(
+                    makeBox(osg::Vec3d(12 * x + 2, 12 * y + 2, 0), osg::Vec3d(12 * x + 10, 12 * y + 10, 8 + (x * y) % 5)));
+    }
+    void look(double degrees, const osg::Vec3d& eye = osg::Vec3d(0, 0, 1.7))
+    {
+        const double a = osg::DegreesToRadians(degrees);
+        renderer.lookAt(eye, eye + osg::Vec3d(std::sin(a), std::cos(a), -0.1), osg::Vec3d(0, 0, 1), 60.0);
+    }
+    void settle(int least = settled)
+    {
+        renderer.render(lit, least);
+        for (int i = 0; i < 64 && lit->regenerating(); ++i) renderer.render(lit);
+        ASSERT_FALSE(lit->regenerating());
+    }
+
+    SceneRenderer renderer{96, 64};
+    osg::ref_ptr<LitScene> lit = atlasScene();
+};
+
+TEST_F(Streets, ThePlanSaysSo)
+{
+    look(0.0);
+    settle();
+    EXPECT_NE(std::string::npos, lit->plan().explain().find("neighbourhood")) << lit->plan().explain();
+    renderer.lookAt(osg::Vec3d(0, -900, 900), osg::Vec3d());
+    settle();
+    EXPECT_EQ(std::string::npos, lit->plan().explain().find("neighbourhood")) << lit->plan().explain();
+}
+
+TEST_F(Streets, TurningDrawsNoMap)
+{
+    look(0.0);
+    settle();
+    const Picture first = renderer.render(lit);
+    for (double degrees : {30.0, 90.0, 180.0, 270.0}) {
+        look(degrees);
+        renderer.render(lit, settled);
+        EXPECT_FALSE(lit->regenerating()) << degrees;
+    }
+    look(0.0);
+    EXPECT_EQ(0.0, largestDifference(first, renderer.render(lit)));
+}
+
+// Maps follow the view a few a frame: what comes nearer goes over to them light by light.
+TEST_F(Streets, WalkingRefinesMapByMap)
+{
+    look(0.0);
+    settle();
+    Picture last = renderer.render(lit);
+    unsigned frames = 0;
+    double most = 0.0, sum = 0.0;
+    for (int step = 1; step <= 12; ++step) {
+        look(0.0, osg::Vec3d(0, 2.0 * step, 1.7));
+        last = renderer.render(lit);
+        const Picture first = last;
+        for (; lit->regenerating(); ++frames) {
+            const Picture next = renderer.render(lit);
+            most = std::max(most, rootMeanSquare(last, next));
+            last = next;
+        }
+        sum += rootMeanSquare(first, last);
+    }
+    EXPECT_GT(frames, 12u + 64 / 8);  // at least one whole refresh
+    EXPECT_GT(sum, 0.02);
+    EXPECT_LT(most, 0.6 * sum);
+}
+
+// Against the traced picture, whose own noise is .018. With maps of the whole scene alone .16 (measured).
+TEST_F(Streets, AreShadedAsInASmallScene)
+{
+    Settings& s = *lit->getSettings();
+    s.view = Settings::BEAUTY;
+    s.bounce = Settings::BOUNCE_OFF;
+    s.atlasLights = 256;
+    s.visibility = Settings::VISIBILITY_AUTO;
+    s.regeneration = Settings::IMMEDIATE;
+    double error = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        look(25.0 * i, osg::Vec3d(0.5 * i, 7.0 * i, 1.7 + 2 * i));
+        const Picture p = renderer.render(lit, settled);
+        error += 0.25 * rootMeanSquare(p, tracedView(*lit, renderer, 64, {Layer::BEAUTY}, false).mean(Layer::BEAUTY));
+    }
+    EXPECT_LT(error, 0.032);  // measured .0278
+}
+
+// From afar the neighbourhood is about what is seen.
+TEST_F(Streets, AnOrthographicViewFromAfar)
+{
+    Settings& s = *lit->getSettings();
+    s.view = Settings::BEAUTY;
+    s.bounce = Settings::BOUNCE_OFF;
+    s.atlasLights = 256;
+    s.regeneration = Settings::IMMEDIATE;
+    renderer.lookAt(osg::Vec3d(0, -300, 300), osg::Vec3d());
+    renderer.viewer().getCamera()->setProjectionMatrixAsOrtho(-30, 30, -20, 20, 1, 1000);
+    const Picture p = renderer.render(lit, settled);
+    EXPECT_NE(std::string::npos, lit->plan().explain().find("neighbourhood"));
+    const double error = rootMeanSquare(p, tracedView(*lit, renderer, 64, {Layer::BEAUTY}, false).mean(Layer::BEAUTY));
+    EXPECT_LT(error, 0.045);  // measured .039
+}
+
+TEST_F(Streets, AStillViewConvergesToTheTruth)
+{
+    Settings& s = *lit->getSettings();
+    s.view = Settings::BEAUTY;
+    s.bounce = Settings::BOUNCE_OFF;
+    s.accumulate = true;
+    s.accumulateSize = 256;
+    s.atlasLights = 64;
+    look(25.0, osg::Vec3d(0.5, 7, 3.7));
+    settle();
+    const Picture p = renderer.render(lit, 36);
+    // Measured .025; with maps of up to 1024 texels .013, of which .009 are the reference's noise.
+    EXPECT_LT(rootMeanSquare(p, tracedView(*lit, renderer, 256, {Layer::BEAUTY}).mean(Layer::BEAUTY)), 0.03);
+}
