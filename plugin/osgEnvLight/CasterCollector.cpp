@@ -6,6 +6,7 @@
 #include <osg/Projection>
 #include <osgUtil/CullVisitor>
 
+#include <algorithm>
 #include <cmath>
 
 namespace osgEnvLight
@@ -131,19 +132,22 @@ void CasterCollector::add(const osg::Geometry& geometry, const osg::Matrixd& eye
     _casters.push_back(caster);
 }
 
-bool sameShadows(const std::vector<Caster>& a, const std::vector<Caster>& b, double slack)
+bool sameShadow(const Caster& a, const Caster& b, double slack)
 {
-    if (a.size() != b.size()) return false;
-    for (size_t i = 0; i < a.size(); ++i) {
-        if (a[i].geometry != b[i].geometry || a[i].state != b[i].state || a[i].shape != b[i].shape) return false;
-        if (a[i].worldFromModel == b[i].worldFromModel) continue;
-        const osg::BoundingBox& box = a[i].geometry->getBoundingBox();
-        for (unsigned k = 0; box.valid() && k < 8; ++k) {
-            const osg::Vec3d corner = box.corner(k);
-            if ((corner * a[i].worldFromModel - corner * b[i].worldFromModel).length() > slack) return false;
-        }
+    if (a.geometry != b.geometry || a.state != b.state || a.shape != b.shape) return false;
+    if (a.worldFromModel == b.worldFromModel) return true;
+    const osg::BoundingBox& box = a.geometry->getBoundingBox();
+    for (unsigned k = 0; box.valid() && k < 8; ++k) {
+        const osg::Vec3d corner = box.corner(k);
+        if ((corner * a.worldFromModel - corner * b.worldFromModel).length() > slack) return false;
     }
     return true;
+}
+
+bool sameShadows(const std::vector<Caster>& a, const std::vector<Caster>& b, double slack)
+{
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [&](const Caster& x, const Caster& y) { return sameShadow(x, y, slack); });
 }
 
 osg::BoundingBoxd boundOf(const std::vector<Caster>& casters)

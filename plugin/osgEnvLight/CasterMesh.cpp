@@ -5,7 +5,6 @@
 #include <osg/Array>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <unordered_map>
 
@@ -15,12 +14,8 @@ namespace osgEnvLight
 namespace
 {
 
+using Mesh = CasterMesh;
 using Triangle = std::array<unsigned, 3>;
-
-struct Mesh {
-    std::vector<osg::Vec3f> positions;
-    std::vector<Triangle> triangles;
-};
 
 struct Collect {
     std::vector<Triangle>* triangles = nullptr;
@@ -134,24 +129,9 @@ Mesh coarsened(Mesh&& mesh, double cell)
 
 }  // namespace
 
-osg::ref_ptr<osg::Geometry> mergeCasters(const std::vector<Caster>& casters, const osg::Vec3d& origin, double cell)
+CasterMesh coarseMesh(const Caster& caster, const osg::Vec3d& origin, double cell)
 {
-    osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
-    osg::ref_ptr<osg::DrawElementsUInt> indices = new osg::DrawElementsUInt(GL_TRIANGLES);
-    for (const Caster& caster : casters) {
-        if (caster.state) continue;
-        const Mesh mesh = coarsened(read(caster, origin), cell);
-        const auto base = unsigned(vertices->size());
-        vertices->insert(vertices->end(), mesh.positions.begin(), mesh.positions.end());
-        for (const Triangle& t : mesh.triangles)
-            for (unsigned v : t) indices->push_back(base + v);
-    }
-    osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
-    geometry->setVertexArray(vertices);
-    geometry->addPrimitiveSet(indices);
-    geometry->setUseDisplayList(false);
-    geometry->setUseVertexBufferObjects(true);
-    return geometry;
+    return coarsened(read(caster, origin), cell);
 }
 
 }  // namespace osgEnvLight

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgEnvLight/ShadowAtlas>
 
-#include <osgEnvLight/CasterMesh>
 #include <osgEnvLight/MapSequence>
 #include <osgEnvLight/SolidAngles>
 
@@ -119,28 +118,10 @@ void ShadowAtlas::setCasters(const std::vector<Caster>& casters)
     if (_moved) {
         fit(casters);
         _casters = casters;
-        _merged = nullptr;
-        _triangles = trianglesOf(_casters);
     }
-    // A scene that moves is drawn as it is, and one of which most lies beyond the focus.
-    if (!_merged && (!_moved || _version == 0) && _box.valid() && !_focus.valid()) merge();
-}
-
-void ShadowAtlas::merge()
-{
-    _merged = mergeCasters(_casters, _targets.origin, 0.5 * diagonal(_box) / size);
-    _triangles = _merged->getPrimitiveSet(0)->getNumIndices() / 3;
-    for (const Caster& caster : _casters)
-        if (caster.state) _triangles += trianglesOf({caster});
-}
-
-std::vector<Caster> ShadowAtlas::drawn()
-{
-    if (!_merged) return _casters;
-    std::vector<Caster> result = {{_merged, osg::Matrixd::translate(_targets.origin), nullptr, 0}};
-    for (const Caster& caster : _casters)
-        if (caster.state) result.push_back(caster);
-    return result;
+    if (!_box.valid() || _focus.valid()) return;
+    _still.setPlace(_targets.origin, 0.5 * diagonal(_box) / size);
+    _still.update(_casters, _moved, 0.02 * texel);
 }
 
 // A light that has moved little keeps its map and has its new flux. Where one is elsewhere now, the former and its map stay until
@@ -262,13 +243,13 @@ bool ShadowAtlas::complete() const
 void ShadowAtlas::resizeGLObjectBuffers(unsigned maximum)
 {
     _targets.resizeGLObjectBuffers(maximum);
-    if (_merged) _merged->resizeGLObjectBuffers(maximum);
+    _still.resizeGLObjectBuffers(maximum);
 }
 
 void ShadowAtlas::releaseGLObjects(osg::State* state) const
 {
     _targets.releaseGLObjects(state);
-    if (_merged) _merged->releaseGLObjects(state);
+    _still.releaseGLObjects(state);
     _lost = true;
 }
 
@@ -276,8 +257,7 @@ size_t ShadowAtlas::bytes() const
 {
     const size_t map = size_t(size) * size;
     const size_t rows = (lights + _targets.columns - 1) / _targets.columns;
-    const size_t mesh = _merged ? _merged->getVertexArray()->getTotalDataSize() + 12 * _triangles : 0;
-    return 2 * map * _targets.columns * rows + (4 + 2 + 4) * map * _targets.batch + mesh;
+    return 2 * map * _targets.columns * rows + (4 + 2 + 4) * map * _targets.batch + _still.bytes();
 }
 
 }  // namespace osgEnvLight
