@@ -67,11 +67,13 @@ ViewData::Atlas* DeferredTechnique::finerAtlas(Cull& c, const osg::Matrixd& proj
         c.view.dropTarget("seen");
     } else {
         if (!s.seen) s.seen = new SeenPointsBuffer;
-        if (const std::optional<SeenPoints> seen = s.seen->take()) s.neighbourhood.follow(*seen, 0.5 * diagonal(box));
-        if (!sameView(s, c.worldFromEye, projection) || skyAtlas(c).maps->moved()) s.frames = 0;
+        if (!sameView(s, c.worldFromEye, projection)) s.frames = 0;
         s.worldFromEye = c.worldFromEye;
         s.projection = projection;
-        c.measures = s.frames < 2;
+        const std::optional<SeenPoints> seen = s.seen->take();
+        if (seen) s.neighbourhood.follow(*seen, 0.5 * diagonal(box));
+        if (seen && s.frames >= 2 && seen->worldFromEye == c.worldFromEye) s.frames = s.known;
+        c.measures = s.frames < 2 || skyAtlas(c).maps->moved();
         if (s.frames < s.known) ++s.frames;
     }
     if (s.neighbourhood.sphere().valid())

@@ -44,6 +44,7 @@ void SeenPointsBuffer::publish(const osg::Vec4f* pixels)
     for (int i = 0; i < side * side; ++i)
         if (pixels[i][3] > 0.0f) seen.points.push_back(osg::Vec3d(pixels[i][0], pixels[i][1], pixels[i][2]) * _worldFromEye);
     if (_perspective) seen.eye = _worldFromEye.getTrans();
+    seen.worldFromEye = _worldFromEye;
     std::lock_guard<std::mutex> lock(_mutex);
     _measured = std::move(seen);
 }

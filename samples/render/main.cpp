@@ -9,6 +9,7 @@
 
 #include <osgDB/FileNameUtils>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace
@@ -50,7 +51,7 @@ void draw(HeadlessViewer& viewer, const osgEnvLight::LitScene& lit, const Argume
     const bool normal = a.frames <= 0 && a.error <= 0.0;
     const int most = a.frames > 0 ? a.frames : a.error > 0.0 ? 4096 : normalFrames;
     while (statistics.frames < most || (normal && lit.regenerating() && statistics.frames < settledFrames)) {
-        const double time = converges ? 0.0 : statistics.frames / 30.0;
+        const double time = converges ? 0.0 : std::min(statistics.frames, normalFrames - 1) / 30.0;
         (statistics.frames == 0 ? statistics.firstFrame : statistics.lastFrame) = viewer.draw(time);
         ++statistics.frames;
         const double error = lit.average().standardError;

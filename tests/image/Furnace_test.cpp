@@ -28,6 +28,14 @@ double worstDeviation(const Picture& picture, double expected)
     return worst;
 }
 
+// A convex body hides nothing from itself, to few lights as to many.
+osg::ref_ptr<LitScene> furnace(double radiance)
+{
+    osg::ref_ptr<LitScene> lit = makeLit(constantMap(radiance).get());
+    lit->getSettings()->atlasLights = 32;
+    return lit;
+}
+
 }  // namespace
 
 TEST(Furnace, LambertShowsItsAlbedoFromAnyConstantMap)
@@ -36,7 +44,7 @@ TEST(Furnace, LambertShowsItsAlbedoFromAnyConstantMap)
     for (double radiance : {1.0, 4.0})
         for (double albedo : {0.05, 0.5, 1.0})
             for (int carrier : {int(Settings::AUTO), int(Settings::SH), int(Settings::LIGHTS)}) {
-                osg::ref_ptr<LitScene> lit = makeLit(constantMap(radiance).get());
+                osg::ref_ptr<LitScene> lit = furnace(radiance);
                 lit->getSettings()->diffuseCarrier = carrier;
                 osg::ref_ptr<osg::Geode> sphere = makeSphere(osg::Vec3d(), 1.0);
                 Material::setLambert(*sphere->getOrCreateStateSet(), osg::Vec3f(1, 1, 1) * float(albedo));
@@ -53,7 +61,7 @@ TEST(Furnace, WhiteMetalReflectsEverythingAtAnyRoughness)
 {
     SceneRenderer renderer(96, 96);
     for (double roughness : {0.0, 0.1, 0.3, 0.6, 1.0}) {
-        osg::ref_ptr<LitScene> lit = makeLit(constantMap(2.0).get());
+        osg::ref_ptr<LitScene> lit = furnace(2.0);
         osg::ref_ptr<osg::Geode> sphere = makeSphere(osg::Vec3d(), 1.0);
         Material::setCookTorrance(*sphere->getOrCreateStateSet(), osg::Vec3f(1, 1, 1), 1.0f, float(roughness));
         lit->addChild(sphere);
@@ -66,7 +74,7 @@ TEST(Furnace, DielectricReturnsAllThatItsWhiteBaseReceives)
 {
     SceneRenderer renderer(96, 96);
     for (double roughness : {0.0, 0.3, 0.6, 1.0}) {
-        osg::ref_ptr<LitScene> lit = makeLit(constantMap(1.0).get());
+        osg::ref_ptr<LitScene> lit = furnace(1.0);
         osg::ref_ptr<osg::Geode> sphere = makeSphere(osg::Vec3d(), 1.0);
         Material::setCookTorrance(*sphere->getOrCreateStateSet(), osg::Vec3f(1, 1, 1), 0.0f, float(roughness));
         lit->addChild(sphere);
@@ -78,7 +86,7 @@ TEST(Furnace, DielectricReturnsAllThatItsWhiteBaseReceives)
 TEST(Furnace, IntensityScalesAndRotationDoesNothing)
 {
     SceneRenderer renderer(64, 64);
-    osg::ref_ptr<LitScene> lit = makeLit(constantMap(1.0).get());
+    osg::ref_ptr<LitScene> lit = furnace(1.0);
     lit->addChild(makeSphere(osg::Vec3d(), 1.0));
     Material::setLambert(*lit->getChild(0)->getOrCreateStateSet(), osg::Vec3f(1, 1, 1));
     lit->getEnvironmentMap()->setIntensity(3.5);
