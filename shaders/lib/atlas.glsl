@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The sky shadow atlas: a midpoint map for each of the map's lights, and whether a light is seen [occlusion.md 3.1].
-// Heights in a map: 0 to 1 along the direction to the light, over the cube about the scene; positions in its texels.
+// Heights in a map: 0 to 1 along the direction to the light, over the cube about what it shows; positions in its texels.
 #ifndef ATLAS_GLSL
 #define ATLAS_GLSL
 
@@ -8,16 +8,16 @@
 #define ATLAS_STEP 5e-5
 
 // Height half-way between the first and the second surface, by their depths; the first where none is behind it. Open surfaces
-// are let down by what they rise within a texel, not to shade themselves: by a texel at most, or three where nothing is
-// behind or leaves and grilles are known to be sheets. slope: of the first surface, heights per texel, negative for those.
-// texel: in heights.
-float midpointHeight(float firstDepth, float secondDepth, float slope, float texel)
+// are let down by what they rise within a texel, not to shade themselves: by limit at most, or three times that where nothing
+// is behind or leaves and grilles are known to be sheets. slope: of the first surface, heights per texel, negative for those.
+// limit: a texel of a sun's map, in heights; those of the sky have none.
+float midpointHeight(float firstDepth, float secondDepth, float slope, float limit)
 {
     if (firstDepth >= 1.0) return 0.0;
     float first = 1.0 - firstDepth;
     bool behind = secondDepth < 1.0;
     float middle = behind ? 0.5 * (first + 1.0 - secondDepth) : first;
-    float most = behind && slope >= 0.0 ? texel : 3.0 * texel;
+    float most = behind && slope >= 0.0 ? limit : 3.0 * limit;
     return max(min(middle, first - min(0.71 * abs(slope), most)), 0.0);
 }
 

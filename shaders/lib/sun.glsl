@@ -50,12 +50,42 @@ vec3 discTangent(vec3 s)
     return normalize(abs(s.x) < 0.6 ? vec3(0.0, s.z, -s.y) : vec3(-s.z, 0.0, s.x));
 }
 
+// Integral from y0 to y1 of 2 / (1 + y^2)^2, by its middle and its width; where it is narrow by a series, for the closed form
+// loses as many digits as there are in the square of the middle.
+float lobeAlong(float middle, float width)
+{
+    float q = 1.0 + middle * middle;
+    if (width * width < 0.01 * q) return 2.0 * width / (q * q) * (1.0 + width * width * (20.0 * q - 24.0) / (24.0 * q * q));
+    float y0 = middle - 0.5 * width;
+    float y1 = middle + 0.5 * width;
+    return width * (1.0 - y0 * y1) / ((1.0 + y0 * y0) * (1.0 + y1 * y1)) + atan(width, 1.0 + y0 * y1);
+}
+
+// The same as ggxDisc where sun and view are both within a disc or two of the horizon: slopes vary too much over the disc to be
+// an ellipse, and too little of the lobe is in it to need one. 8 points of a spiral, those above the horizon.
+float ggxGrazedDisc(vec3 s, vec3 v, float alpha, float radius)
+{
+    vec3 e1 = discTangent(s);
+    vec3 e2 = cross(s, e1);
+    float sum = 0.0;
+    for (int i = 0; i < 8; ++i) {
+        float r = tan(radius) * sqrt((float(i) + 0.5) / 8.0);
+        float angle = 2.39996322972865332 * float(i);
+        vec3 l = normalize(s + e1 * (r * cos(angle)) + e2 * (r * sin(angle)));
+        if (l.z > 0.0) sum += ggxBrdf(v, l, alpha) * l.z;
+    }
+    return min(sum * PI * sin(radius) * sin(radius) / 8.0, 1.0);
+}
+
 // Integral of D V cos over the disc about s, seen from v, both local. The disc is an ellipse in the plane of slopes: 8
 // nodes across it, closed along it (specular.md 3). No Fresnel factor. As alpha goes to 0, the disc's mirror image.
+// Nothing is a difference of what is large: slopes are in the thousands where sun and view graze the surface, and a sun's
+// radiance shows each lost digit as a firefly.
 float ggxDisc(vec3 s, vec3 v, float alpha, float radius)
 {
     float share = discShare(s.z, radius);
     if (share <= 0.0) return 0.0;
+    if (max(s.z, 0.0) + v.z < 2.0 * tan(radius)) return ggxGrazedDisc(s, v, alpha, radius);
     s.z = max(s.z, 1e-3); // below, the share that is left is seen at the horizon
     s = normalize(s);
     vec3 h = s + v;
@@ -69,28 +99,27 @@ float ggxDisc(vec3 s, vec3 v, float alpha, float radius)
     float b = g1.x * g1.y + g2.x * g2.y;
     float c = g1.y * g1.y + g2.y * g2.y;
     float a1 = sqrt(0.5 * (a + c) + sqrt(0.25 * (a - c) * (a - c) + b * b));
-    float a2 = max(abs(g1.x * g2.y - g1.y * g2.x) / a1, 1e-4 * a1);
-    vec2 along = abs(b) > 1e-6 * a1 * a1 ? normalize(vec2(b, a1 * a1 - a)) : a >= c ? vec2(1.0, 0.0) : vec2(0.0, 1.0);
+    float a2 = max(scale * scale * dot(s, h) / (h.z * a1), 1e-4 * a1);
+    vec2 along = a >= c ? vec2(1.0, 0.0) : vec2(0.0, 1.0);
+    if (abs(b) > 1e-6 * a1 * a1) along = normalize(a >= c ? vec2(a1 * a1 - c, b) : vec2(b, a1 * a1 - a));
     float py = dot(m, along);
     float px = m.y * along.x - m.x * along.y;
     float t0 = atan((px - a2) / alpha);
     float t1 = atan((px + a2) / alpha);
+    bool narrow = t1 - t0 < 0.1; // nodes even in u, else in t, where the lobe is narrower than the disc
     float sum = 0.0;
     for (int i = 0; i < 8; ++i) {
         vec2 node = discNode(i);
         float t = 0.5 * (t0 + t1) + 0.5 * (t1 - t0) * node.x;
-        float cosT = cos(t);
-        float u = (alpha * tan(t) - px) / a2;
+        float u = narrow ? node.x : (alpha * tan(t) - px) / a2;
+        float x = (px + a2 * u) / alpha;
+        float cosT = narrow ? 1.0 / sqrt(1.0 + x * x) : cos(t);
+        float dt = narrow ? a2 / alpha * cosT * cosT : 0.5 * (t1 - t0);
         float chord = a1 * sqrt(max(1.0 - u * u, 0.0));
-        float y0 = (py - chord) * cosT / alpha;
-        float y1 = (py + chord) * cosT / alpha;
-        float inner = y1 / (1.0 + y1 * y1) - y0 / (1.0 + y0 * y0) + atan(y1 - y0, 1.0 + y0 * y1);
-        sum += node.y * cosT * inner;
+        sum += node.y * dt * cosT * lobeAlong(py * cosT / alpha, 2.0 * chord * cosT / alpha);
     }
-    sum *= 0.25 * (t1 - t0) * INV_PI;
-    vec3 n = normalize(h);
-    float g2Term = 4.0 * s.z * v.z * ggxVisibility(v.z, s.z, alpha);
-    return share * sum * g2Term * dot(n, v) / (v.z * n.z);
+    sum *= 0.5 * INV_PI;
+    return share * sum * 4.0 * s.z * ggxVisibility(v.z, s.z, alpha) * dot(h, v) / h.z;
 }
 
 // erf to 3e-7 for x >= 0 [Abramowitz, Stegun 7.1.28], and of itself near 0: no exponential.
