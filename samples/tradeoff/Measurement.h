@@ -30,6 +30,7 @@ class Measurement
 
   private:
     void time(Point& point);
+    void timeStillPicture(Point& point);
     osgEnvLight::Picture view(int view);
     const osgEnvLight::Picture& specular();
 

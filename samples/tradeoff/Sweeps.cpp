@@ -16,38 +16,44 @@ using osgEnvLight::Settings;
 struct Sweep {
     const char* name;
     std::vector<const char*> values;
-    Texts with;     // what the knob needs to have an effect
-    bool specular;  // only where S runs
+    Texts with;  // what the knob needs to have an effect
+    enum Where { ANY, SPECULAR, FULL_TRANSPORT } where;
     bool alsoQuick;
 };
 
 const std::vector<Sweep>& defaultSweeps()
 {
     static const std::vector<Sweep> sweeps = {
-        {"visibility", {"screen", "atlas", "both"}, {}, false, true},
-        {"atlasLights", {"16", "64", "128", "256", "512", "1024"}, {}, false, true},
-        {"atlasSize", {"32", "64", "128", "256"}, {}, false, true},
-        {"sunShadowSize", {"256", "512", "1024", "2048"}, {}, false, false},
-        {"nearRadius", {"0", "1", "2", "3", "6"}, {}, false, false},
-        {"nearTaps", {"2", "4", "8"}, {}, false, false},
-        {"occlusionLights", {"64", "128", "256", "512", "1024", "2048"}, {{"visibility", "screen"}}, false, false},
-        {"occlusionSteps", {"2", "4", "8", "16", "32", "64"}, {{"visibility", "screen"}}, false, false},
-        {"occlusionMethod", {"slice", "ray", "point", "gtao", "bent-normal"}, {{"visibility", "screen"}}, false, false},
-        {"occlusionSlices", {"1", "2", "4"}, {}, false, false},
-        {"occlusionTaps", {"2", "4", "8", "16", "32"}, {{"visibility", "screen"}, {"occlusionMethod", "slice"}}, false, false},
-        {"occlusionRadius", {"0.0625", "0.125", "0.25", "0.5", "1"}, {{"visibility", "screen"}}, false, false},
-        {"occlusionThickness", {"0.05", "0.1", "0.2", "0.5", "1000"}, {{"visibility", "screen"}}, false, false},
-        {"filterCells", {"1", "2", "3", "4"}, {}, false, false},
-        {"combine", {"ratio", "subtract"}, {}, false, false},
-        {"diffuseCarrier", {"auto", "sh", "lights"}, {}, false, false},
-        {"diffuseLights", {"16", "32", "64", "128", "256", "512"}, {{"diffuseCarrier", "lights"}}, false, false},
+        {"visibility", {"screen", "atlas", "both"}, {}, Sweep::ANY, true},
+        {"atlasLights", {"16", "64", "128", "256", "512", "1024"}, {}, Sweep::ANY, true},
+        {"atlasSize", {"32", "64", "128", "256"}, {}, Sweep::ANY, true},
+        {"sunShadowSize", {"256", "512", "1024", "2048"}, {}, Sweep::ANY, false},
+        {"nearRadius", {"0", "1", "2", "3", "6"}, {}, Sweep::ANY, false},
+        {"nearTaps", {"2", "4", "8"}, {}, Sweep::ANY, false},
+        {"occlusionLights", {"64", "128", "256", "512", "1024", "2048"}, {{"visibility", "screen"}}, Sweep::ANY, false},
+        {"occlusionSteps", {"2", "4", "8", "16", "32", "64"}, {{"visibility", "screen"}}, Sweep::ANY, false},
+        {"occlusionMethod", {"slice", "ray", "point", "gtao", "bent-normal"}, {{"visibility", "screen"}}, Sweep::ANY, false},
+        {"occlusionSlices", {"1", "2", "4"}, {}, Sweep::ANY, false},
+        {"occlusionTaps",
+         {"2", "4", "8", "16", "32"},
+         {{"visibility", "screen"}, {"occlusionMethod", "slice"}},
+         Sweep::ANY,
+         false},
+        {"occlusionRadius", {"0.0625", "0.125", "0.25", "0.5", "1"}, {{"visibility", "screen"}}, Sweep::ANY, false},
+        {"occlusionThickness", {"0.05", "0.1", "0.2", "0.5", "1000"}, {{"visibility", "screen"}}, Sweep::ANY, false},
+        {"filterCells", {"1", "2", "3", "4"}, {}, Sweep::ANY, false},
+        {"combine", {"ratio", "subtract"}, {}, Sweep::ANY, false},
+        {"diffuseCarrier", {"auto", "sh", "lights"}, {}, Sweep::ANY, false},
+        {"diffuseLights", {"16", "32", "64", "128", "256", "512"}, {{"diffuseCarrier", "lights"}}, Sweep::ANY, false},
         {"lightSampler",
          {"auto", "split", "median-cut", "structured", "penrose", "inverse-cdf"},
          {{"diffuseCarrier", "lights"}},
-         false,
+         Sweep::ANY,
          false},
-        {"suns", {"off", "glossy", "auto"}, {}, false, false},
-        {"specularSamples", {"4", "8", "16", "32", "64", "128"}, {}, true, true},
+        {"suns", {"off", "glossy", "auto"}, {}, Sweep::ANY, false},
+        {"specularSamples", {"4", "8", "16", "32", "64", "128"}, {}, Sweep::SPECULAR, true},
+        {"bounce", {"off", "mean"}, {}, Sweep::FULL_TRANSPORT, true},
+        {"accumulateFrames", {"1", "4", "16", "64"}, {{"accumulate", "on"}}, Sweep::ANY, false},
     };
     return sweeps;
 }
@@ -134,7 +140,9 @@ std::vector<Candidate> candidates(const Selection& selection)
     for (const Sweep& s : defaultSweeps()) {
         const bool replaced =
             std::any_of(selection.sweeps.begin(), selection.sweeps.end(), [&](const auto& a) { return a.first == s.name; });
-        if (replaced || (selection.quick && !s.alsoQuick) || (s.specular && !selection.specular)) continue;
+        if (replaced || (selection.quick && !s.alsoQuick) || (s.where == Sweep::SPECULAR && !selection.specular) ||
+            (s.where == Sweep::FULL_TRANSPORT && !selection.full))
+            continue;
         std::vector<std::string> values(s.values.begin(), s.values.end());
         if (selection.quick)
             for (size_t i = 1; i < values.size(); ++i) values.erase(values.begin() + ptrdiff_t(i));

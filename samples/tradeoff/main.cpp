@@ -150,6 +150,7 @@ int run(Arguments& a)
     Selection selection;
     selection.only = a.only;
     selection.quick = a.quick;
+    selection.full = a.paths == "full";
     try {
         for (const std::string& s : a.sweeps) selection.sweeps.push_back(parseSweep(s));
         candidates(selection);
