@@ -56,30 +56,13 @@ std::string Measurement::statement() const
            std::to_string(warmUp) +
            " frames that warm up and whatever it takes until the map's lights are made. A frame is wall-clock time until the GPU "
            "is "
-           "done; with accumulate all frames of the picture; a pass is a GPU timer query where the driver has them, else CPU "
-           "time.";
-}
-
-// All frames of it together, from the normal one to its last.
-void Measurement::timeStillPicture(Point& point)
-{
-    Settings& s = *_lit.getSettings();
-    s.accumulate = false;  // what the warming up has begun
-    _viewer.draw(instant);
-    s.accumulate = true;
-    double total = 0.0;
-    do total += _viewer.draw(instant);
-    while (_lit.plan().accumulate && _lit.average().frames < unsigned(s.accumulateFrames));
-    point.frame = spreadOf({total});
-    for (const auto& pass : _lit.passTimes())
-        point.passes.emplace_back(pass.pass, spreadOf({pass.gpu >= 0.0 ? pass.gpu : pass.cpu}));
+           "done; a pass is a GPU timer query where the driver has them, else CPU time.";
 }
 
 void Measurement::time(Point& point)
 {
     double warm = 0.0;
     for (int i = 0; i < warmUp || _lit.regenerating(); ++i) warm = _viewer.draw(instant);
-    if (_lit.getSettings()->accumulate) return timeStillPicture(point);
     const int frames = std::clamp(int(longest / std::max(warm, 1e-3)), 3, _frames);
     std::vector<double> times;
     std::vector<std::string> order;

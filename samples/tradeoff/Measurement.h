@@ -30,7 +30,6 @@ class Measurement
 
   private:
     void time(Point& point);
-    void timeStillPicture(Point& point);
     osgEnvLight::Picture view(int view);
     const osgEnvLight::Picture& specular();
 

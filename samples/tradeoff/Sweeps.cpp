@@ -53,7 +53,6 @@ const std::vector<Sweep>& defaultSweeps()
         {"suns", {"off", "glossy", "auto"}, {}, Sweep::ANY, false},
         {"specularSamples", {"4", "8", "16", "32", "64", "128"}, {}, Sweep::SPECULAR, true},
         {"bounce", {"off", "mean"}, {}, Sweep::FULL_TRANSPORT, true},
-        {"accumulateFrames", {"1", "4", "16", "64"}, {{"accumulate", "on"}}, Sweep::ANY, false},
     };
     return sweeps;
 }
