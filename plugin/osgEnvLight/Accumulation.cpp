@@ -129,10 +129,7 @@ class SurfaceMixer
 
 }  // namespace
 
-namespace
-{
-
-// But for near and far, which OSG goes on adjusting in the last digits: column 2 alone has them.
+// Column 2 alone has near and far.
 bool sameProjection(const osg::Matrixd& a, const osg::Matrixd& b)
 {
     for (int row = 0; row < 4; ++row)
@@ -140,8 +137,6 @@ bool sameProjection(const osg::Matrixd& a, const osg::Matrixd& b)
             if (a(row, column) != b(row, column)) return false;
     return true;
 }
-
-}  // namespace
 
 bool Accumulation::Key::operator==(const Key& o) const
 {

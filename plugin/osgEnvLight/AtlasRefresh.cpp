@@ -57,7 +57,7 @@ void AtlasRefresh::prepare(const ShadowTargets& targets, const std::vector<Shado
     const osg::Matrixd toOrigin = osg::Matrixd::translate(-targets.origin);
     bool dynamic = false;
     for (const Caster& caster : casters) {
-        osg::BoundingBoxd bound = boundOf({caster});
+        osg::BoundingBoxd bound = boundOf(caster);
         bound._min -= targets.origin;
         bound._max -= targets.origin;
         _casters.push_back({caster.geometry, new osg::RefMatrix(caster.worldFromModel * toOrigin), caster.state, bound});

@@ -150,16 +150,21 @@ bool sameShadows(const std::vector<Caster>& a, const std::vector<Caster>& b, dou
                       [&](const Caster& x, const Caster& y) { return sameShadow(x, y, slack); });
 }
 
+osg::BoundingBoxd boundOf(const Caster& caster)
+{
+    osg::BoundingBoxd bound;
+    const osg::BoundingBox& box = caster.geometry->getBoundingBox();
+    for (unsigned k = 0; box.valid() && k < 8; ++k) {
+        const osg::Vec3d p = osg::Vec3d(box.corner(k)) * caster.worldFromModel;
+        if (std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z())) bound.expandBy(p);
+    }
+    return bound;
+}
+
 osg::BoundingBoxd boundOf(const std::vector<Caster>& casters)
 {
     osg::BoundingBoxd bound;
-    for (const Caster& caster : casters) {
-        const osg::BoundingBox& box = caster.geometry->getBoundingBox();
-        for (unsigned k = 0; box.valid() && k < 8; ++k) {
-            const osg::Vec3d p = osg::Vec3d(box.corner(k)) * caster.worldFromModel;
-            if (std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z())) bound.expandBy(p);
-        }
-    }
+    for (const Caster& caster : casters) bound.expandBy(boundOf(caster));
     return bound;
 }
 

@@ -22,15 +22,6 @@ bool fitsIntoAFrame(const ShadowAtlas& atlas)
     return 2.0 * atlas.lights * double(atlas.triangles()) <= firstFrameTriangles;
 }
 
-// But for near and far, which OSG goes on adjusting.
-bool sameView(const ViewData::Surroundings& s, const osg::Matrixd& worldFromEye, const osg::Matrixd& projection)
-{
-    for (int row = 0; row < 4; ++row)
-        for (int column : {0, 1, 3})
-            if (s.projection(row, column) != projection(row, column)) return false;
-    return s.worldFromEye == worldFromEye;
-}
-
 // Whether a view may show less of the box than the largest neighbourhood: the nearest that there may be is less wide in it.
 bool mayShowLittle(const osg::BoundingBoxd& box, const ShadowView& view)
 {
@@ -67,7 +58,7 @@ ViewData::Atlas* DeferredTechnique::finerAtlas(Cull& c, const osg::Matrixd& proj
         c.view.dropTarget("seen");
     } else {
         if (!s.seen) s.seen = new SeenPointsBuffer;
-        if (!sameView(s, c.worldFromEye, projection)) s.frames = 0;
+        if (s.worldFromEye != c.worldFromEye || !sameProjection(s.projection, projection)) s.frames = 0;
         s.worldFromEye = c.worldFromEye;
         s.projection = projection;
         const std::optional<SeenPoints> seen = s.seen->take();

@@ -27,6 +27,13 @@ bool sameLights(const LightList& a, const LightList& b)
     });
 }
 
+void writeRow(osg::Image& image, unsigned light, unsigned row, const osg::Vec3d& v, double w)
+{
+    float* out = reinterpret_cast<float*>(image.data(light / 16, 4 * (light % 16) + row));
+    for (int k = 0; k < 3; ++k) out[k] = float(v.ptr()[k]);
+    out[3] = float(w);
+}
+
 }  // namespace
 
 ShadowAtlas::ShadowAtlas(unsigned lightCount, unsigned mapSize) : lights(lightCount), size(mapSize), _maps(lightCount)
@@ -175,18 +182,6 @@ std::vector<ShadowRefresh> ShadowAtlas::update(const LightList& list, unsigned b
     if (changed || !refreshes.empty()) ++_version;
     return refreshes;
 }
-
-namespace
-{
-
-void writeRow(osg::Image& image, unsigned light, unsigned row, const osg::Vec3d& v, double w)
-{
-    float* out = reinterpret_cast<float*>(image.data(light / 16, 4 * (light % 16) + row));
-    for (int k = 0; k < 3; ++k) out[k] = float(v.ptr()[k]);
-    out[3] = float(w);
-}
-
-}  // namespace
 
 void ShadowAtlas::writePlace(osg::Image& image, unsigned index, unsigned firstRow, const osg::Vec3d& origin) const
 {

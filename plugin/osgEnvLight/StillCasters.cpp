@@ -19,35 +19,12 @@ void StillCasters::update(const std::vector<Caster>& casters, bool moved, double
 {
     _frames = moved ? 0 : _frames + 1;
     const bool joins = std::any_of(_loose.begin(), _loose.end(), [](const Caster& c) { return !c.state; });
-    if (!_geometry || (joins && _frames == patience))
-        mergeAll(casters, slack);
-    else if (moved)
-        part(casters, slack);
-    else
-        return;
-    _triangles = trianglesOf(drawn());
+    const bool merges = !_geometry || (joins && _frames == patience);
+    if (merges || moved) sort(casters, merges, slack);
 }
 
-// The former meshes serve on; both lists have one order.
-void StillCasters::mergeAll(const std::vector<Caster>& casters, double slack)
-{
-    std::vector<Still> former;
-    former.swap(_still);
-    _loose.clear();
-    size_t next = 0;
-    for (const Caster& caster : casters) {
-        if (caster.state) {
-            _loose.push_back(caster);
-        } else if (next < former.size() && sameShadow(former[next].caster, caster, slack)) {
-            _still.push_back(std::move(former[next++]));
-        } else {
-            _still.push_back({caster, coarseMesh(caster, _origin, _cell)});
-        }
-    }
-    build();
-}
-
-void StillCasters::part(const std::vector<Caster>& casters, double slack)
+// Both lists have one order; the former meshes serve on.
+void StillCasters::sort(const std::vector<Caster>& casters, bool merges, double slack)
 {
     std::vector<Still> former;
     former.swap(_still);
@@ -56,14 +33,16 @@ void StillCasters::part(const std::vector<Caster>& casters, double slack)
     for (const Caster& caster : casters) {
         size_t found = caster.state ? former.size() : next;
         while (found < former.size() && !sameShadow(former[found].caster, caster, slack)) ++found;
-        if (found == former.size()) {
-            _loose.push_back(caster);
-        } else {
+        if (found < former.size()) {
             _still.push_back(std::move(former[found]));
             next = found + 1;
+        } else if (merges && !caster.state) {
+            _still.push_back({caster, coarseMesh(caster, _origin, _cell)});
+        } else {
+            _loose.push_back(caster);
         }
     }
-    if (_still.size() != former.size()) build();
+    if (merges || _still.size() != former.size()) build();
 }
 
 void StillCasters::build()

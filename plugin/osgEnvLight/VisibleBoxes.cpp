@@ -73,7 +73,7 @@ VisibleBoxes::VisibleBoxes(const std::vector<Caster>& casters, const ShadowView&
     if (casters.size() > mostBoxes)
         add(all, pyramid);
     else
-        for (const Caster& caster : casters) add(boundOf({caster}), pyramid);
+        for (const Caster& caster : casters) add(boundOf(caster), pyramid);
 }
 
 VisibleBoxes::Corner VisibleBoxes::corner(const osg::Vec3d& point) const

@@ -60,6 +60,20 @@ class Streets : public testing::Test
         ASSERT_FALSE(lit->regenerating());
     }
 
+    // As the traced picture shows it.
+    Settings& showDirectLight(int atlasLights)
+    {
+        Settings& s = *lit->getSettings();
+        s.view = Settings::BEAUTY;
+        s.bounce = Settings::BOUNCE_OFF;
+        s.atlasLights = atlasLights;
+        return s;
+    }
+    double errorOf(const Picture& p, unsigned samples, bool antialias)
+    {
+        return rootMeanSquare(p, tracedView(*lit, renderer, samples, {Layer::BEAUTY}, antialias).mean(Layer::BEAUTY));
+    }
+
     SceneRenderer renderer{96, 64};
     osg::ref_ptr<LitScene> lit = atlasScene();
 };
@@ -115,17 +129,14 @@ TEST_F(Streets, WalkingRefinesMapByMap)
 // Against the traced picture, whose own noise is .018. With maps of the whole scene alone .16 (measured).
 TEST_F(Streets, AreShadedAsInASmallScene)
 {
-    Settings& s = *lit->getSettings();
-    s.view = Settings::BEAUTY;
-    s.bounce = Settings::BOUNCE_OFF;
-    s.atlasLights = 256;
+    Settings& s = showDirectLight(256);
     s.visibility = Settings::VISIBILITY_AUTO;
     s.regeneration = Settings::IMMEDIATE;
     double error = 0.0;
     for (int i = 0; i < 4; ++i) {
         look(25.0 * i, osg::Vec3d(0.5 * i, 7.0 * i, 1.7 + 2 * i));
         const Picture p = renderer.render(lit, settled);
-        error += 0.25 * rootMeanSquare(p, tracedView(*lit, renderer, 64, {Layer::BEAUTY}, false).mean(Layer::BEAUTY));
+        error += 0.25 * errorOf(p, 64, false);
     }
     EXPECT_LT(error, 0.032);  // measured .0278
 }
@@ -133,30 +144,24 @@ TEST_F(Streets, AreShadedAsInASmallScene)
 // From afar the neighbourhood is about what is seen.
 TEST_F(Streets, AnOrthographicViewFromAfar)
 {
-    Settings& s = *lit->getSettings();
-    s.view = Settings::BEAUTY;
-    s.bounce = Settings::BOUNCE_OFF;
-    s.atlasLights = 256;
+    Settings& s = showDirectLight(256);
     s.regeneration = Settings::IMMEDIATE;
     renderer.lookAt(osg::Vec3d(0, -300, 300), osg::Vec3d());
     renderer.viewer().getCamera()->setProjectionMatrixAsOrtho(-30, 30, -20, 20, 1, 1000);
     const Picture p = renderer.render(lit, settled);
     EXPECT_NE(std::string::npos, lit->plan().explain().find("neighbourhood"));
-    const double error = rootMeanSquare(p, tracedView(*lit, renderer, 64, {Layer::BEAUTY}, false).mean(Layer::BEAUTY));
+    const double error = errorOf(p, 64, false);
     EXPECT_LT(error, 0.045);  // measured .039
 }
 
 TEST_F(Streets, AStillViewConvergesToTheTruth)
 {
-    Settings& s = *lit->getSettings();
-    s.view = Settings::BEAUTY;
-    s.bounce = Settings::BOUNCE_OFF;
+    Settings& s = showDirectLight(64);
     s.accumulate = true;
     s.accumulateSize = 256;
-    s.atlasLights = 64;
     look(25.0, osg::Vec3d(0.5, 7, 3.7));
     settle();
     const Picture p = renderer.render(lit, 36);
     // Measured .025; with maps of up to 1024 texels .013, of which .009 are the reference's noise.
-    EXPECT_LT(rootMeanSquare(p, tracedView(*lit, renderer, 256, {Layer::BEAUTY}).mean(Layer::BEAUTY)), 0.03);
+    EXPECT_LT(errorOf(p, 256, true), 0.03);
 }
