@@ -126,7 +126,7 @@ void DeferredTechnique::addAccumulation(Cull& c, osgUtil::CullVisitor& cv)
     in.adds = a.frames() > 1;
     addMaps(in, *maps[0], maps[1]);
     addLobes(c, in);
-    addPass(c, cv, "accumulate", average, passState(c, "accumulate", in), placesOf(c, *maps[0], maps[1]));
+    addPass(c, cv, "accumulate", average, passState(c, "accumulate", in), placesOf(c, "accumulate", *maps[0], maps[1]));
     if (measuresError(a.frames())) addStillError(c, cv, average);
 }
 

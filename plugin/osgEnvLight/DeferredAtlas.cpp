@@ -74,9 +74,10 @@ ViewData::Atlas* DeferredTechnique::finerAtlas(Cull& c, const osg::Matrixd& proj
     return nullptr;
 }
 
-DeferredTechnique::ShadowPlaces DeferredTechnique::placesOf(Cull& c, const ShadowAtlas& atlas, const ShadowAtlas* finer)
+DeferredTechnique::ShadowPlaces DeferredTechnique::placesOf(Cull& c, const std::string& name, const ShadowAtlas& atlas,
+                                                            const ShadowAtlas* finer)
 {
-    return {&c.frame.atlasState(atlas, finer, 1.0 / c.view.textures().map().mean), atlas.origin()};
+    return {&c.frame.atlasState(name, atlas, finer, 1.0 / c.view.textures().map().mean), atlas.origin()};
 }
 
 void DeferredTechnique::addMaps(PassInputs& in, ShadowAtlas& atlas, ShadowAtlas* finer)
@@ -90,11 +91,12 @@ void DeferredTechnique::addMaps(PassInputs& in, ShadowAtlas& atlas, ShadowAtlas*
 void DeferredTechnique::addAtlas(Cull& c, osgUtil::CullVisitor& cv)
 {
     if (!c.view.plan.atlas) {
+        _waitingMaps = 0;
+        if (c.away && Plan::wantsAtlas(c.settings)) return;
         c.view.dropAtlas("atlas");
         c.view.dropAtlas("finer atlas");
         c.view.dropTarget("seen");
         c.view.surroundings = {};
-        _waitingMaps = 0;
         return;
     }
     ViewData::Atlas& own = skyAtlas(c);

@@ -16,12 +16,6 @@ namespace
 
 const unsigned on = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
 const unsigned off = osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
-const int forwardTextureUnit = 8;  // beyond the units that fixed-function state reaches
-
-void addSuns(osg::StateSet& state, MapTextures& textures)
-{
-    for (const osg::ref_ptr<osg::Uniform>& u : textures.sunUniforms()) state.addUniform(u.get());
-}
 
 }  // namespace
 
@@ -134,7 +128,7 @@ void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
         if (plan.sunDiffuse) in.defines.push_back("HAS_SUNS");
         if (plan.sunDiffuse && c.shadesSuns()) addSunVisibility(c, in);
         osg::StateSet& state = passState(c, "diffuse", in);
-        if (plan.sunDiffuse) addSuns(state, textures);
+        if (plan.sunDiffuse) textures.addSuns(state);
         if (!plan.diffuseLights) state.addUniform(textures.harmonics());
         addPass(c, cv, "diffuse", *diffuse, state);
     }
@@ -151,7 +145,7 @@ void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
             in.samplers.push_back({"lobeSeenMap", filtered->textures[1].get()});
         }
         osg::StateSet& state = passState(c, "specular", in);
-        if (plan.suns) addSuns(state, textures);
+        if (plan.suns) textures.addSuns(state);
         addPass(c, cv, "specular", *specular, state);
     }
     if (c.adds()) {
@@ -220,7 +214,7 @@ void DeferredTechnique::addOcclusion(Cull& c, osgUtil::CullVisitor& cv, Target& 
     ShadowPlaces places;
     if (plan.atlas) {
         ShadowAtlas& atlas = *skyAtlas(c).maps;
-        places = placesOf(c, atlas, c.finer);
+        places = placesOf(c, "atlas", atlas, c.finer);
         in.defines.push_back("HAS_ATLAS");
         addMaps(in, atlas, c.finer);
     } else {
@@ -295,7 +289,7 @@ DeferredTechnique::PassInputs DeferredTechnique::compositeInputs(Cull& c)
 void DeferredTechnique::addComposite(Cull& c, osgUtil::CullVisitor& cv)
 {
     osg::StateSet& state = passState(c, "composite", compositeInputs(c));
-    if (c.settings.view == Settings::LIGHT_LIST) addSuns(state, c.view.textures());
+    if (c.settings.view == Settings::LIGHT_LIST) c.view.textures().addSuns(state);
     if (!c.frame.composite) c.frame.composite = new FullScreen("composite", &c.view.timer("composite"));
     prepare(*c.frame.composite, state, c);
     cv.pushStateSet(&state);
@@ -303,38 +297,6 @@ void DeferredTechnique::addComposite(Cull& c, osgUtil::CullVisitor& cv)
     cv.addDrawable(c.frame.composite.get(), cv.getModelViewMatrix());
     cv.popStateSet();
     cv.popStateSet();
-}
-
-osg::StateSet& DeferredTechnique::forwardState(Cull& c)
-{
-    std::string key = "forward " + std::to_string(c.settings.suns);
-    if (c.settings.output == Settings::LINEAR) key += " OUTPUT_LINEAR";
-    ViewData::State base = c.view.state(key);
-    if (base.isNew) {
-        MapTextures& textures = c.view.textures();
-        osg::StateSet& s = base.stateSet;
-        if (c.settings.output == Settings::LINEAR) s.setDefine("OUTPUT_LINEAR");
-        s.setAttribute(_library->program("pass/surface.vert", "pass/forward.frag"),
-                       osg::StateAttribute::ON | osg::StateAttribute::PROTECTED);
-        s.addUniform(new osg::Uniform("baseColorMap", 0));
-        s.addUniform(textures.harmonics());
-        if (!textures.suns().empty()) {
-            s.setDefine("HAS_SUNS");
-            if (c.settings.suns == Settings::SUNS_AUTO) s.setDefine("SUN_DIFFUSE");
-            addSuns(s, textures);
-        }
-        s.setTextureAttribute(forwardTextureUnit, textures.pyramid(), on);
-        s.addUniform(new osg::Uniform("pyramidMap", forwardTextureUnit));
-        s.setTextureAttribute(forwardTextureUnit + 1, albedoTable(), on);
-        s.addUniform(new osg::Uniform("albedoTable", forwardTextureUnit + 1));
-    }
-    // One state set a frame: the view's textures and program, the frame's own uniforms.
-    if (c.frame.forwardBase != &base.stateSet) {
-        c.frame.forwardState = new osg::StateSet(base.stateSet);
-        for (const auto& [name, uniform] : c.frame.uniforms->getUniformList()) c.frame.forwardState->addUniform(uniform.first);
-        c.frame.forwardBase = &base.stateSet;
-    }
-    return *c.frame.forwardState;
 }
 
 }  // namespace osgEnvLight

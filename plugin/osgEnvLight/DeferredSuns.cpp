@@ -11,8 +11,8 @@ void DeferredTechnique::addSunMaps(Cull& c, osgUtil::CullVisitor& cv)
 {
     const Plan& plan = c.view.plan;
     _drawnSunMaps = 0;
-    if (!plan.sunShadows) c.view.dropSunShadows();
-    if (!c.shadesSuns()) return;
+    if (!plan.sunMaps && !(c.away && Plan::wantsSunShadows(c.settings))) c.view.dropSunShadows();
+    if (!plan.sunMaps || !c.asksSunMaps()) return;
     const ShadowView view{c.worldFromEye, *cv.getProjectionMatrix(), c.view.height()};
     const auto size = unsigned(c.settings.sunShadowSize);
     const VisibleBoxes boxes(c.casters, view);
@@ -39,7 +39,7 @@ void DeferredTechnique::addSunShadows(Cull& c, osgUtil::CullVisitor& cv, Target&
             in.samplers.push_back({names[i], seen.textures[std::min(i, seen.textures.size() - 1)].get()});
         const char* name = filter ? "sunfilter" : "sunshadow";
         osg::StateSet& state = passState(c, name, in);
-        for (const osg::ref_ptr<osg::Uniform>& u : c.view.textures().sunUniforms()) state.addUniform(u.get());
+        c.view.textures().addSuns(state);
         addPass(c, cv, name, filter ? visibility : seen, state, places);
     }
 }

@@ -78,12 +78,14 @@ try {
     std::vector<ForwardGraph> forward;
     fillGBuffer(c, node, cv, forward);
 
-    const bool needed = settings->diffuse && radianceScale > 0.0 && vd.plan.surfaces.deferred > 0;
-    if ((needed && Plan::wantsAtlas(*settings)) || (sunny && vd.plan.surfaces.deferred > 0))
+    const bool shows = vd.plan.surfaces.deferred + vd.plan.surfaces.litForward > 0;
+    const bool needed = settings->diffuse && radianceScale > 0.0 && shows;
+    if ((needed && Plan::wantsAtlas(*settings)) || (sunny && shows))
         c.casters = CasterCollector(cv, worldFromEye, vd.casterStates).collect(node);
 
     lock.lock();
     const DiffuseCarrier carrier = needed ? textures->carrier() : DiffuseCarrier();
+    c.away = !shows && radius > 0.0;
     vd.plan = Plan::make(*settings, vd.plan.surfaces, radianceScale <= 0.0, radius, carrier, textures->sunShare(),
                          c.casters.size(), c.ownGBuffer);
     addAtlas(c, cv);
@@ -91,6 +93,7 @@ try {
     addSunMaps(c, cv);
     addPasses(c, cv);
     addComposite(c, cv);
+    if (vd.plan.surfaces.litForward > 0) setForwardState(c);
     for (const ForwardGraph& f : forward) f.bin->addStateGraph(f.graph);
     _lastView = &vd;
     return true;
@@ -236,10 +239,8 @@ void DeferredTechnique::fillGBuffer(Cull& c, LitScene& node, osgUtil::CullVisito
     f.gbufferStage->setPositionalStateContainer(c.host.getPositionalStateContainer());
 
     osgUtil::RenderBin* hostBin = cv.getCurrentRenderBin();
-    const SurfaceSorter::LitState lit = [&] {
-        std::lock_guard<std::mutex> lock(_mutex);
-        return &forwardState(c);
-    };
+    f.forwardState = new osg::StateSet;  // setForwardState()
+    const SurfaceSorter::LitState lit = [&] { return f.forwardState.get(); };
     cv.pushViewport(c.view.viewport());
     c.view.plan.surfaces = f.fill->fill(cv, *f.gbufferStage, hostBin, lit, forward, [&] {
         cv.setCurrentRenderBin(f.gbufferStage.get());

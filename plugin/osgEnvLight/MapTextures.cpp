@@ -39,7 +39,7 @@ MapTextures::MapTextures(const RadianceMap* map, const Continuation& former) : M
     }
     if (former.diffuseLights || _carrier.lights) diffuseLights();
     if (former.occlusionLights) occlusionList(former.occlusionLights);
-    sunUniforms();
+    makeSunUniforms();
 }
 
 MapTextures::MapTextures(const MapTextures& former) = default;
@@ -250,9 +250,14 @@ osg::Texture2D* MapTextures::occlusionLights(unsigned count)
     return _occlusionLights.get();
 }
 
-const std::vector<osg::ref_ptr<osg::Uniform>>& MapTextures::sunUniforms()
+void MapTextures::addSuns(osg::StateSet& state)
 {
-    if (!_sunUniforms.empty()) return _sunUniforms;
+    if (_sunUniforms.empty()) makeSunUniforms();
+    for (const osg::ref_ptr<osg::Uniform>& u : _sunUniforms) state.addUniform(u.get());
+}
+
+void MapTextures::makeSunUniforms()
+{
     osg::ref_ptr<osg::Uniform> count = new osg::Uniform("sunCount", int(suns().size()));
     osg::ref_ptr<osg::Uniform> direction = new osg::Uniform(osg::Uniform::FLOAT_VEC3, "sunDirection", maximumSuns);
     osg::ref_ptr<osg::Uniform> radiance = new osg::Uniform(osg::Uniform::FLOAT_VEC3, "sunRadiance", maximumSuns);
@@ -266,7 +271,6 @@ const std::vector<osg::ref_ptr<osg::Uniform>>& MapTextures::sunUniforms()
         radius->setElement(i, float(sun.radius));
     }
     _sunUniforms = {count, direction, radiance, radius};
-    return _sunUniforms;
 }
 
 void MapTextures::resizeGLObjectBuffers(unsigned maximum)

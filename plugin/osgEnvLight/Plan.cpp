@@ -51,10 +51,14 @@ Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack
     Plan plan;
     plan.surfaces = surfaces;
     const bool empty = surfaces.deferred == 0;
+    const bool nothing = empty && surfaces.litForward == 0;
+    const char* const onlyForward = "nothing to light but transparent surfaces";
 
-    Decision diffuse;
-    diffuse.unless(!s.diffuse, "switched off").unless(mapIsBlack, "the map is black").unless(empty, "nothing to light");
-    diffuse.unless(carrier.given && carrier.lights == 0, "the application's list has no lights");
+    Decision light;
+    light.unless(!s.diffuse, "switched off").unless(mapIsBlack, "the map is black").unless(nothing, "nothing to light");
+    light.unless(carrier.given && carrier.lights == 0, "the application's list has no lights");
+    Decision diffuse = light;
+    diffuse.unless(empty, onlyForward);
     plan.diffuse = diffuse.runs;
     plan.diffuseHarmonics = diffuse.runs ? carrier.harmonics : 0;
     plan.diffuseLights = diffuse.runs ? carrier.lights : 0;
@@ -62,8 +66,8 @@ Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack
 
     Decision sun;
     sun.unless(s.suns == Settings::SUNS_OFF, "switched off").unless(mapIsBlack, "the map is black");
-    sun.unless(empty, "nothing to light").unless(suns.count == 0, "the map has none");
-    sun.unless(s.suns == Settings::SUNS_GLOSSY && !surfaces.phong && !surfaces.cookTorrance && surfaces.forward == 0,
+    sun.unless(nothing, "nothing to light").unless(suns.count == 0, "the map has none");
+    sun.unless(s.suns == Settings::SUNS_GLOSSY && !surfaces.phong && !surfaces.cookTorrance && surfaces.litForward == 0,
                "no glossy surface in view");
     plan.suns = sun.runs ? suns.count : 0;
     plan.sunDiffuse = sun.runs && s.suns == Settings::SUNS_AUTO && !carrier.given;  // whose list has them
@@ -75,16 +79,18 @@ Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack
         sun.reason = out.str();
     }
 
-    Decision shadows = sun;
-    shadows.unless(!s.occlusion, "occlusion is off").unless(s.visibility == Settings::VISIBILITY_NONE, "visibility is none");
-    shadows.unless(casters == 0, "nothing casts shadows");
+    Decision maps = sun;
+    maps.unless(!s.occlusion, "occlusion is off").unless(s.visibility == Settings::VISIBILITY_NONE, "visibility is none");
+    maps.unless(casters == 0, "nothing casts shadows");
+    plan.sunMaps = maps.runs;
+    Decision shadows = maps;
+    shadows.unless(empty, onlyForward);
     plan.sunShadows = shadows.runs;
-    Decision maps = shadows;
-    if (shadows.runs) {
+    if (maps.runs) {
         const std::string side = std::to_string(s.sunShadowSize);
         maps.reason = "maps of " + side + " x " + side + " of " + std::to_string(casters) + " drawables, drawn when they change";
-        shadows.reason = "2 points of each disc a pixel, 16 more in penumbrae";
     }
+    if (shadows.runs) shadows.reason = "2 points of each disc a pixel, 16 more in penumbrae";
 
     Decision specular;
     specular.unless(!s.specular, "switched off").unless(mapIsBlack, "the map is black").unless(empty, "nothing to light");
@@ -92,26 +98,28 @@ Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack
     plan.specular = specular.runs;
     if (specular.runs) specular.reason = count(unsigned(s.specularSamples), "samples a pixel");
 
-    Decision occlusion;
-    occlusion.unless(!s.occlusion, "switched off").unless(!diffuse.runs, "there is no diffuse term to occlude");
-    occlusion.unless(s.visibility == Settings::VISIBILITY_NONE, "visibility is none");
-    occlusion.unless(!(sceneRadius > 0.0), "the scene has no extent");
-    occlusion.unless(plan.sunDiffuse && suns.share > 1.0 - 1e-6, "the suns are all of the map's light");
+    Decision hidden;
+    hidden.unless(!s.occlusion, "switched off").unless(!light.runs, "there is no diffuse term to occlude");
+    hidden.unless(s.visibility == Settings::VISIBILITY_NONE, "visibility is none");
+    hidden.unless(!(sceneRadius > 0.0), "the scene has no extent");
+    hidden.unless(plan.sunDiffuse && suns.share > 1.0 - 1e-6, "the suns are all of the map's light");
 
-    Decision atlas = occlusion;
+    Decision atlas = hidden;
     atlas.unless(s.visibility == Settings::VISIBILITY_SCREEN, "visibility is screen");
     atlas.unless(casters == 0, "nothing casts shadows");
     atlas.unless(carrier.given && carrier.lights > mostAtlasLights, "the application's list has more than 1024 lights");
     plan.atlas = atlas.runs;
+    Decision occlusion = hidden;
+    occlusion.unless(empty, onlyForward);
     occlusion.unless(!atlas.runs && s.visibility == Settings::VISIBILITY_ATLAS, "there is no atlas to ask");
     occlusion.unless(!atlas.runs && s.occlusionRadius <= 0.0f, "occlusionRadius is 0");
     plan.occlusion = occlusion.runs;
     plan.lobes = specular.runs && occlusion.runs && atlas.runs;
     if (plan.lobes) specular.reason += ", occluded by what the atlas knows";
     plan.screen = occlusion.runs && (!atlas.runs || (s.visibility != Settings::VISIBILITY_ATLAS && s.nearRadius > 0.0f));
+    const unsigned asked = carrier.given ? carrier.lights : unsigned(atlas.runs ? s.atlasLights : s.occlusionLights);
+    if (occlusion.runs || atlas.runs) plan.occlusionLights = (asked + 15) / 16 * 16;
     if (occlusion.runs) {
-        const unsigned asked = carrier.given ? carrier.lights : unsigned(atlas.runs ? s.atlasLights : s.occlusionLights);
-        plan.occlusionLights = (asked + 15) / 16 * 16;
         const std::string taps = count(unsigned(s.occlusionSlices), "slices of ");
         occlusion.reason = count(plan.occlusionLights, "lights, ") + count(plan.occlusionLights / 16, "a pixel, ");
         if (atlas.runs)
@@ -138,7 +146,7 @@ Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack
     Decision accumulate;
     accumulate.unless(!s.accumulate, "switched off").unless(s.view != Settings::BEAUTY, "an intermediate is shown");
     const std::string noAtlas = "without the atlas there is nothing to converge to: " + atlas.reason;
-    accumulate.unless(!atlas.runs, noAtlas.c_str());
+    accumulate.unless(!atlas.runs, noAtlas.c_str()).unless(empty, onlyForward);
     accumulate.unless(!ownGBuffer, "what the application's own G-buffer shows may move unseen");
     plan.accumulate = accumulate.runs;
 

@@ -102,6 +102,7 @@ class SurfaceSort
     {
         kinds.forward += unsigned(sg->_leaves.size());
         const osg::StateSet* lit = to && state.litForward() ? _lit() : nullptr;
+        if (lit) kinds.litForward += unsigned(sg->_leaves.size());
         std::vector<const osg::StateSet*> path;
         for (osgUtil::StateGraph* s = sg; s != &_top; s = s->_parent) path.push_back(s->getStateSet());
         osgUtil::StateGraph* base = lit ? _top._parent->find_or_insert(lit) : _top._parent;

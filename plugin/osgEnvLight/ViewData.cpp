@@ -95,38 +95,39 @@ void Frame::setUniforms(const Accumulation* still)
     _accumulatedFrames->set(still ? float(still->equalFrames()) : 0.0f);
 }
 
-osg::StateSet& Frame::atlasState(const ShadowAtlas& atlas, const ShadowAtlas* finer, double scale)
+osg::StateSet& Frame::atlasState(const std::string& name, const ShadowAtlas& atlas, const ShadowAtlas* finer, double scale)
 {
-    if (!_atlasState) {
-        _atlasState = new osg::StateSet(*uniforms);
-        _atlasState->addUniform(new osg::Uniform("atlasLightMap", int(atlasLightUnit)));
-        _atlasState->addUniform(new osg::Uniform("atlasTexel", 0.0f));
-        _atlasState->addUniform(new osg::Uniform("atlasSize", 0));  // a still view's differs from the setting
-        _atlasState->addUniform(new osg::Uniform("neighbourhood", osg::Vec4()));
-        _atlasState->addUniform(new osg::Uniform("neighbourhoodTexel", 0.0f));
+    AtlasState& a = _atlasStates[name];
+    if (!a.uniforms) {
+        a.uniforms = new osg::StateSet(*uniforms);
+        a.uniforms->addUniform(new osg::Uniform("atlasLightMap", int(atlasLightUnit)));
+        a.uniforms->addUniform(new osg::Uniform("atlasTexel", 0.0f));
+        a.uniforms->addUniform(new osg::Uniform("atlasSize", 0));  // a still view's differs from the setting
+        a.uniforms->addUniform(new osg::Uniform("neighbourhood", osg::Vec4()));
+        a.uniforms->addUniform(new osg::Uniform("neighbourhoodTexel", 0.0f));
     }
     const unsigned finerVersion = finer ? finer->version() : 0;
-    if (_atlas != &atlas || _atlasVersion != atlas.version() || _finerAtlas != finer || _finerVersion != finerVersion ||
-        _atlasScale != scale) {
+    if (a.atlas != &atlas || a.version != atlas.version() || a.finer != finer || a.finerVersion != finerVersion ||
+        a.scale != scale) {
         const osg::ref_ptr<osg::Image> image = atlas.lightImage(scale, finer);
         osg::ref_ptr<osg::Texture2D> texture = targetTexture(image->s(), image->t(), GL_RGBA32F_ARB);
         texture->setImage(image);
-        _atlasState->setTextureAttribute(atlasLightUnit, texture);
-        _atlasState->getUniform("atlasTexel")->set(float(atlas.texel()));
-        _atlasState->getUniform("atlasSize")->set(int(atlas.size));
+        a.uniforms->setTextureAttribute(atlasLightUnit, texture);
+        a.uniforms->getUniform("atlasTexel")->set(float(atlas.texel()));
+        a.uniforms->getUniform("atlasSize")->set(int(atlas.size));
         if (finer) {
             const osg::BoundingSphered shown = finer->shown();
             const osg::Vec3 center = shown.center() - atlas.origin();
-            _atlasState->getUniform("neighbourhood")->set(osg::Vec4(center, float(shown.radius())));
-            _atlasState->getUniform("neighbourhoodTexel")->set(float(finer->complete() ? finer->texel() : atlas.texel()));
+            a.uniforms->getUniform("neighbourhood")->set(osg::Vec4(center, float(shown.radius())));
+            a.uniforms->getUniform("neighbourhoodTexel")->set(float(finer->complete() ? finer->texel() : atlas.texel()));
         }
-        _atlas = &atlas;
-        _atlasVersion = atlas.version();
-        _finerAtlas = finer;
-        _finerVersion = finerVersion;
-        _atlasScale = scale;
+        a.atlas = &atlas;
+        a.version = atlas.version();
+        a.finer = finer;
+        a.finerVersion = finerVersion;
+        a.scale = scale;
     }
-    return *_atlasState;
+    return *a.uniforms;
 }
 
 osg::StateSet& Frame::sunState(const SunShadows& shadows)

@@ -1,16 +1,28 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // Transparent surfaces of the host, drawn after the composite in its own bins: the same environment functions, one
-// look-up for the lobe in place of the importance samples, no occlusion.
-#pragma import_defines(HAS_SUNS, SUN_DIFFUSE)
+// look-up for the lobe in place of the importance samples. What hides light from them the shadow maps say: of the sky's each
+// pixel of a 2x2 cell asks a quarter, and the cell shares what its four know; of each sun's disc eight points.
+#pragma import_defines(HAS_SUNS, SUN_DIFFUSE, HAS_ATLAS, HAS_SUN_MAPS, HAS_BOUNCE)
 
 #include "lib/frame.glsl"
 #include "lib/octahedral.glsl"
+#include "lib/sequence.glsl"
 #include "lib/sh.glsl"
 #include "pass/surface.glsl"
 #include "pass/albedo.glsl"
-#ifdef HAS_SUNS
+#if defined(HAS_SUNS) || defined(HAS_SUN_MAPS)
 #include "pass/suns.glsl"
+#endif
+#ifdef HAS_ATLAS
+#include "pass/atlas.glsl"
+#endif
+#ifdef HAS_SUN_MAPS
+#include "pass/sunshadow.glsl"
+uniform mat4 sunsFromEye;
+#endif
+#ifdef HAS_BOUNCE
+#include "pass/meanradiance.glsl"
 #endif
 #include "pass/display.glsl"
 
@@ -23,6 +35,77 @@ uniform mat3 mapFromEyeForward;
 
 layout(location = 0) out vec4 color;
 
+// Shares of the map's light, of all directions and of the lobe that reach the surface.
+struct SkySeen {
+    vec3 light;
+    float ambient;
+    float lobe;
+};
+
+#ifdef HAS_ATLAS
+// Mean of the 2x2 pixels that are shaded together. Which of a pair this one is, the derivative of their parities says: where they
+// begin depends on the window's height.
+vec4 cellMean(vec4 v, ivec2 p)
+{
+    vec2 parity = vec2(p);
+    vec2 first = vec2((p.x == 0) == (dFdx(parity.x) > 0.0) ? 0.5 : -0.5, (p.y == 0) == (dFdy(parity.y) > 0.0) ? 0.5 : -0.5);
+    vec4 row = v + first.x * dFdx(v);
+    return row + first.y * dFdy(row);
+}
+#endif
+
+SkySeen skySeen(Surface s)
+{
+#ifdef HAS_ATLAS
+    vec3 point = vec3(atlasFromEye * vec4(eyePosition, 1.0));
+    vec3 normal = mat3(atlasFromEye) * s.normal;
+    vec3 view = mat3(atlasFromEye) * -s.ray;
+    vec4 num = vec4(0.0);
+    vec4 den = vec4(0.0);
+    vec2 lobe = vec2(0.0);
+    ivec2 p = ivec2(gl_FragCoord.xy) & 1;
+    int count = textureSize(atlasLightMap, 0).x;
+    for (int group = p.x + 2 * p.y; group < 16; group += 4)
+        for (int i = 0; i < count; ++i) {
+            AtlasLight light = atlasLight(group, i);
+            float c = dot(normal, light.direction);
+            if (c <= 0.0) continue;
+            vec4 e = c * vec4(light.flux, light.solidAngle);
+            float l = e.a * lobeShare(normal, view, light.direction, s.roughness);
+            float seen = atlasSees(light, point, normal, c);
+            num += seen * e;
+            den += e;
+            lobe += l * vec2(seen, 1.0);
+        }
+    num = cellMean(num, p);
+    den = cellMean(den, p);
+    lobe = cellMean(vec4(lobe, 0.0, 0.0), p).xy;
+    // Of nothing nothing is hidden.
+    vec4 share = mix(vec4(1.0), num / max(den, vec4(1e-20)), greaterThan(den, vec4(0.0)));
+    return SkySeen(share.rgb, share.a, lobe.y > 0.0 ? lobe.x / lobe.y : 1.0);
+#else
+    return SkySeen(vec3(1.0), 1.0, 1.0);
+#endif
+}
+
+#ifdef HAS_SUNS
+float sunShare(int sun, Surface s)
+{
+#ifdef HAS_SUN_MAPS
+    SunPixel q;
+    q.point = vec3(sunsFromEye * vec4(eyePosition, 1.0));
+    q.normal = mat3(sunsFromEye) * s.normal;
+    q.ray = mat3(sunsFromEye) * s.ray;
+    q.quantum = 0.0;
+    q.footprint = 1.0;
+    q.group = bayer4(int(gl_FragCoord.x), int(gl_FragCoord.y));
+    return sunSeen(sun, q, 8).x;
+#else
+    return 1.0;
+#endif
+}
+#endif
+
 void main()
 {
     Surface s = readSurface();
@@ -31,19 +114,32 @@ void main()
     vec3 radiance = s.emission;
     vec3 through = vec3(1.0);
     float alpha = s.alpha;
+    vec3 mapNormal = mapFromEyeForward * s.normal;
+    SkySeen seen = skySeen(s);
+    vec3 irradianceOverPi = shIrradiance(shCoefficients, mapNormal) * seen.light;
+    vec3 sunGlint = vec3(0.0);
+#ifdef HAS_SUNS
+    mat3 mapFromLocal = frameAround(mapNormal);
+    vec3 local = mapFromEyeForward * v * mapFromLocal;
+    for (int i = 0; i < sunCount; ++i) {
+        vec3 sun = sunShare(i, s) * sunRadiance[i];
+#ifdef SUN_DIFFUSE
+        irradianceOverPi += sun * discIrradianceOverPi(dot(mapNormal, sunDirection[i]), sunRadius[i]);
+#endif
+        if (s.brdf != BRDF_LAMBERT)
+            sunGlint += sun * ggxDisc(sunDirection[i] * mapFromLocal, local, max(s.roughness * s.roughness, 1e-3), sunRadius[i]);
+    }
+#endif
     if (s.brdf != BRDF_LAMBERT) {
         vec2 e = s.brdf == BRDF_COOK_TORRANCE ? lobeAlbedo(s.roughness, cosV) : vec2(1.0, 0.0);
         vec3 reflected = s.f0 * e.x + e.y;
         // Half of a GGX lobe's energy lies within a cone of about tan = alpha.
         float lod = log2(max(s.roughness * s.roughness * pyramidSide, 1.0));
-        vec3 r = mapFromEyeForward * reflect(-v, s.normal);
-        vec3 glint = reflected * pyramidLookup(pyramidMap, pyramidSide, pyramidLastLevel, r, lod) * radianceScale;
-#ifdef HAS_SUNS
-        mat3 mapFromLocal = frameAround(mapFromEyeForward * s.normal);
-        vec3 local = mapFromEyeForward * v * mapFromLocal;
-        for (int i = 0; i < sunCount; ++i)
-            glint += reflected * sunRadiance[i] * radianceScale *
-                     ggxDisc(sunDirection[i] * mapFromLocal, local, max(s.roughness * s.roughness, 1e-3), sunRadius[i]);
+        vec3 r = reflect(s.ray, s.normal);
+        vec3 mirrored = pyramidLookup(pyramidMap, pyramidSide, pyramidLastLevel, mapFromEyeForward * r, lod) * seen.lobe;
+        vec3 glint = reflected * (mirrored + sunGlint) * radianceScale;
+#ifdef HAS_BOUNCE
+        glint += reflected * (1.0 - seen.lobe) * meanRadiance(r);
 #endif
         through = 1.0 - min(reflected, vec3(1.0));
         // A reflection does not fade with the body's transparency: blending multiplies by alpha, so alpha rises with it.
@@ -51,11 +147,10 @@ void main()
         alpha = mix(s.alpha, 1.0, clamp(strength, 0.0, 1.0));
         radiance += glint / max(alpha, 1e-3);
     }
-    vec3 irradianceOverPi = shIrradiance(shCoefficients, mapFromEyeForward * s.normal);
-#if defined(HAS_SUNS) && defined(SUN_DIFFUSE)
-    irradianceOverPi += sunIrradianceOverPi(mapFromEyeForward * s.normal);
+    vec3 received = irradianceOverPi * radianceScale;
+#ifdef HAS_BOUNCE
+    received += (1.0 - seen.ambient) * meanRadiance(s.normal);
 #endif
-    vec3 diffuse = s.albedo * irradianceOverPi * radianceScale;
-    radiance += diffuse * through * (s.alpha / max(alpha, 1e-3));
+    radiance += s.albedo * received * through * (s.alpha / max(alpha, 1e-3));
     color = vec4(display(radiance, ivec2(gl_FragCoord.xy)), alpha);
 }

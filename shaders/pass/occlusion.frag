@@ -34,8 +34,6 @@ layout(location = 1) out vec4 den;
 #ifdef HAS_LOBES
 layout(location = 2) out vec4 lobe; // the same two sums of solid angle times the lobe that S integrates: not the light in it,
                                     // of which S knows more than these lights do
-// Narrower ones would hold too few of the lights.
-const float LEAST_LOBE_ALPHA = 0.3;
 #endif
 
 // The surface in a pixel, and how far it must be lifted: a tenth of a pixel, and twice the step of a 24-bit depth buffer.
@@ -118,16 +116,6 @@ Light lightAt(int group, int i)
 }
 #endif
 
-#ifdef HAS_LOBES
-// The distribution of normals half-way to the light, unnormalized.
-float lobeOf(vec3 normal, vec3 view, vec3 light, float alpha)
-{
-    float c = dot(normal, normalize(view + light));
-    float t = c * c * (alpha * alpha - 1.0) + 1.0;
-    return 1.0 / (t * t);
-}
-#endif
-
 void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
@@ -155,7 +143,6 @@ void main()
 #ifdef HAS_LOBES
     bool glossy = pixelBrdf(p) != BRDF_LAMBERT;
     float roughness = texelFetch(normalMap, p, 0).a;
-    float alpha = max(roughness * roughness, LEAST_LOBE_ALPHA);
     vec3 view = -viewRay(inverseProjection, pixelNdc(p));
 #endif
 #ifdef HAS_ATLAS
@@ -184,7 +171,7 @@ void main()
         vec4 e = c * vec4(light.flux, light.solidAngle);
         den += e;
 #ifdef HAS_LOBES
-        float l = glossy ? e.a * lobeOf(receiver.normal, view, light.direction, alpha) : 0.0;
+        float l = glossy ? e.a * lobeShare(receiver.normal, view, light.direction, roughness) : 0.0;
         lobe.g += l;
 #endif
 #ifdef OCCLUSION_SLICES

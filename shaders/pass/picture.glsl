@@ -8,12 +8,12 @@
 #include "lib/latlong.glsl"
 #include "lib/octahedral.glsl"
 #include "pass/gbuffer.glsl"
+#include "pass/meanradiance.glsl"
 #include "pass/terms.glsl"
 
 uniform sampler2D emissionMap;
 uniform sampler2D specularTermMap;
 uniform sampler2D blockedLobeMap;
-uniform sampler2D bounceMap;
 uniform sampler2D latlongMap;
 uniform sampler2D pyramidMap;
 uniform float pyramidSide;
@@ -38,18 +38,6 @@ vec3 specularTerm(ivec2 p)
 #else
     return vec3(0.0);
 #endif
-}
-
-// The mean radiance of what blocks light in the picture [indirect.md 0], seen from about d. Surfaces count by how far they face
-// it, (1 - d.n')/2: a floor is lit by walls, not by itself. What they send on in turn is a geometric series, at most of 20
-// terms' worth.
-vec3 meanRadiance(vec3 d)
-{
-    vec4 all = texelFetch(bounceMap, ivec2(0), 0);
-    vec4 facing = all;
-    for (int k = 0; k < 3; ++k) facing -= d[k] * texelFetch(bounceMap, ivec2(k + 1, 0), 0);
-    vec3 mean = max(facing.rgb, vec3(0.0)) / max(facing.a, 1e-4 * all.a);
-    return mean / (1.0 - min(texelFetch(bounceMap, ivec2(4, 0), 0).rgb / max(all.a, 1e-30), 0.95));
 }
 
 // What other surfaces send here, from all directions that are blocked.

@@ -3,7 +3,7 @@
 // What each pixel sees of the suns, second half: where it and its neighbours don't all see the same, 16 points of the disc of
 // its own, and the neighbours' two as far as the penumbra is wider than they are apart: contact shadows stay sharp.
 #include "lib/bilateral.glsl"
-#include "pass/sunshadow.glsl"
+#include "pass/sunpixel.glsl"
 
 uniform sampler2D sunSeenMap0;
 uniform sampler2D sunSeenMap1;

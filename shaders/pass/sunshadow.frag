@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // What each pixel sees of the suns, first half: by the two points of their discs that are its own in a 4x4 cell. Two suns a
 // target: share of the light, width of the penumbra in pixels.
-#include "pass/sunshadow.glsl"
+#include "pass/sunpixel.glsl"
 
 layout(location = 0) out vec4 seen0;
 layout(location = 1) out vec4 seen1;

@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: MIT
-// The shadow maps of the suns, in the world about their origin, and how much of a sun a pixel sees.
+// The shadow maps of the suns, in the world about their origin, and how much of a sun a surface sees.
 #ifndef PASS_SUNSHADOW_GLSL
 #define PASS_SUNSHADOW_GLSL
 
 #include "lib/sunshadow.glsl"
-#include "pass/gbuffer.glsl"
+#include "pass/suns.glsl"
 
 uniform sampler2D sunShadowMaps; // a row for each sun, the map of the whole scene first
 uniform int sunMapSize;          // of a map, in texels
 uniform int sunShadowLevels;     // maps of a sun
-uniform int sunCount;
 uniform vec3 sunAxes[24];        // of each sun across, up, towards it
 uniform vec2 sunHeights[8];      // lowest and highest point along the third
 uniform vec4 sunLevels[32];      // texels per unit of the world along the first two axes, and the offsets
-uniform float sunRadius[8];
-uniform mat4 atlasFromEye;
 
-// A pixel's surface in the world.
+// A surface in a pixel, in the world about that origin.
 struct SunPixel {
     vec3 point;
     vec3 normal;
@@ -25,21 +22,6 @@ struct SunPixel {
     float footprint;
     int group;      // in its cell
 };
-
-SunPixel sunPixel(ivec2 p)
-{
-    float depth = texelFetch(depthMap, p, 0).r;
-    vec2 ndc = pixelNdc(p);
-    vec3 eye = eyeFromDepth(inverseProjection, ndc, depth);
-    SunPixel s;
-    s.point = vec3(atlasFromEye * vec4(eye, 1.0));
-    s.normal = mat3(atlasFromEye) * pixelNormal(p);
-    s.ray = mat3(atlasFromEye) * viewRay(inverseProjection, ndc);
-    s.quantum = length(eyeFromDepth(inverseProjection, ndc, depth - 1.2e-7) - eye);
-    s.footprint = pixelFootprint(inverseProjection, ndc, depth, viewportSize);
-    s.group = bayer4(p.x, p.y);
-    return s;
-}
 
 vec2 sunTexels(vec4 level, int sun, vec3 point)
 {

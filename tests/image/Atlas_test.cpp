@@ -112,4 +112,17 @@ TEST(Atlas, StandingStillDrawsNoMapAgain)
     renderer.render(lit);
     renderer.lookAt(osg::Vec3d(2, -3, 3), osg::Vec3d());
     EXPECT_EQ(0.0, largestDifference(first, renderer.render(lit)));
+    // Nor one that shows nothing of the scene for a while, though that is where it looks.
+    lit->addChild(makeBox(osg::Vec3d(40, -0.2, 0), osg::Vec3d(40.4, 0.2, 0.5)));
+    renderer.render(lit);
+    const size_t bytes = lit->textureBytes();
+    renderer.lookAt(osg::Vec3d(20, -10, 0), osg::Vec3d(20, 0, 0));
+    renderer.render(lit);
+    EXPECT_EQ(0u, lit->plan().surfaces.deferred);
+    EXPECT_GE(lit->textureBytes(), bytes - 1000000);  // but for the picture's own targets
+    // An empty scene keeps nothing.
+    lit->removeChildren(0, lit->getNumChildren());
+    lit->addChild(new osg::Group);
+    renderer.render(lit);
+    EXPECT_LT(lit->textureBytes(), bytes / 2);
 }

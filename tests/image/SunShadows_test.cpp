@@ -198,7 +198,21 @@ TEST(SunShadows, MapsAreDrawnWhenSomethingMoves)
     EXPECT_GT(rootMeanSquare(first, moved), 0.02);
     mover->setMatrix(osg::Matrixd());
     EXPECT_EQ(0.0, largestDifference(first, renderer.render(lit)));
+    // A view that shows nothing of the scene for a while finds its maps again.
+    const osg::ref_ptr<osg::Geode> far = makeBox(osg::Vec3d(60, -1, -1), osg::Vec3d(62, 1, 1));
+    lit->addChild(far);
+    renderer.render(lit);
+    renderer.lookAt(osg::Vec3d(30, -20, 0), osg::Vec3d(30, 0, 0));
+    const size_t bytes = lit->textureBytes();
+    renderer.render(lit);
+    EXPECT_EQ(0u, lit->plan().surfaces.deferred);
+    EXPECT_GE(lit->textureBytes(), bytes - 1000000);  // but for the picture's own targets
+    renderer.lookAt(osg::Vec3d(0, -6, 6), osg::Vec3d());
+    renderer.render(lit);
+    EXPECT_EQ(0u, lit->drawnSunMaps());
+    lit->removeChild(far);
     // So is a sun.
+    renderer.render(lit);
     renderer.render(lit);
     EXPECT_EQ(0u, lit->drawnSunMaps());
     lit->getEnvironmentMap()->setRotation(30.0);

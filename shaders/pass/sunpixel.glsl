@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// The surface in a pixel of the G-buffer, as the suns' shadow maps are asked about it.
+#ifndef SUNPIXEL_GLSL
+#define SUNPIXEL_GLSL
+
+#include "pass/gbuffer.glsl"
+#include "pass/sunshadow.glsl"
+
+uniform mat4 atlasFromEye;
+
+SunPixel sunPixel(ivec2 p)
+{
+    float depth = texelFetch(depthMap, p, 0).r;
+    vec2 ndc = pixelNdc(p);
+    vec3 eye = eyeFromDepth(inverseProjection, ndc, depth);
+    SunPixel s;
+    s.point = vec3(atlasFromEye * vec4(eye, 1.0));
+    s.normal = mat3(atlasFromEye) * pixelNormal(p);
+    s.ray = mat3(atlasFromEye) * viewRay(inverseProjection, ndc);
+    s.quantum = length(eyeFromDepth(inverseProjection, ndc, depth - 1.2e-7) - eye);
+    s.footprint = pixelFootprint(inverseProjection, ndc, depth, viewportSize);
+    s.group = bayer4(p.x, p.y);
+    return s;
+}
+
+#endif
