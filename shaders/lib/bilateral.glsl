@@ -10,11 +10,11 @@ float cellWeight(int i, int halfWidth)
     return abs(i) == halfWidth ? 0.5 : 1.0;
 }
 
-// Weight of a neighbour at eye point q with normal nq for the receiver at p with normal n: its distance from the
-// receiver's plane in pixel footprints, and the angle of the normals.
-float geometryWeight(vec3 p, vec3 n, vec3 q, vec3 nq, float footprint)
+// Weight of a neighbour at eye point q with normal nq for the receiver at p with normal n on a plane of normal facet: its
+// distance from that plane in pixel footprints, and the angle of the normals.
+float geometryWeight(vec3 p, vec3 facet, vec3 n, vec3 q, vec3 nq, float footprint)
 {
-    float plane = dot(n, q - p) / (1.5 * footprint);
+    float plane = dot(facet, q - p) / (1.5 * footprint);
     float c = max(dot(n, nq), 0.0);
     c *= c;
     c *= c;

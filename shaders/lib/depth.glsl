@@ -32,4 +32,15 @@ float pixelFootprint(mat4 inverseProjection, vec2 ndc, float depth, vec2 size)
     return length(a - b);
 }
 
+// By how much depth changes from a pixel to the next, at d in a line of five: of a plane it changes evenly in any projection.
+// From both sides if they agree, else from the one that goes on more evenly. y: by how much its pixels do not.
+vec2 depthSlope(float d0, float d1, float d, float d3, float d4)
+{
+    float before = abs(d0 - 2.0 * d1 + d);
+    float after = abs(d - 2.0 * d3 + d4);
+    float across = 0.25 * abs(d0 - 2.0 * d + d4);
+    if (across <= 2.0 * min(before, after) + 2e-7) return vec2(0.25 * (d4 - d0), max(before, after));
+    return before < after ? vec2(d - d1, before) : vec2(d3 - d, after);
+}
+
 #endif

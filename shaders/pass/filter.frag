@@ -29,6 +29,7 @@ void main()
     vec3 eye = pixelEye(p);
     vec3 n = pixelNormal(p);
     float footprint = pixelFootprint(inverseProjection, pixelNdc(p), texelFetch(depthMap, p, 0).r, viewportSize);
+    vec3 facet = pixelFacet(p, eye, n, footprint);
     int halfWidth = 2 * filterCells;
     ivec2 last = ivec2(viewportSize) - 1;
     vec4 num = vec4(0.0);
@@ -40,7 +41,7 @@ void main()
             ivec2 q = p + ivec2(x, y);
             if (q.x < 0 || q.y < 0 || q.x > last.x || q.y > last.y || isBackground(q)) continue;
             float w = cellWeight(x, halfWidth) * cellWeight(y, halfWidth) *
-                      geometryWeight(eye, n, pixelEye(q), pixelNormal(q), footprint);
+                      geometryWeight(eye, facet, n, pixelEye(q), pixelNormal(q), footprint);
             num += w * texelFetch(numMap, q, 0);
             den += w * texelFetch(denMap, q, 0);
 #ifdef HAS_LOBES

@@ -36,6 +36,32 @@ vec3 pixelNormal(ivec2 p)
     return normalize(texelFetch(normalMap, p, 0).xyz * 2.0 - 1.0);
 }
 
+float depthOrNone(ivec2 p)
+{
+    bool outside = min(p.x, p.y) < 0 || float(p.x) >= viewportSize.x || float(p.y) >= viewportSize.y;
+    return outside ? 2.0 : texelFetch(depthMap, p, 0).r;
+}
+
+// Normal of the plane about a pixel at eye with normal n: that of its depths where the pixel's own, which may be interpolated
+// over facets, does not fit them; n where they are of no plane.
+vec3 pixelFacet(ivec2 p, vec3 eye, vec3 n, float footprint)
+{
+    float d = texelFetch(depthMap, p, 0).r;
+    vec2 ndc = pixelNdc(p);
+    vec2 stride = 2.0 / viewportSize;
+    ivec2 x = ivec2(1, 0);
+    ivec2 y = ivec2(0, 1);
+    vec2 dx = depthSlope(depthOrNone(p - 2 * x), depthOrNone(p - x), d, depthOrNone(p + x), depthOrNone(p + 2 * x));
+    vec2 dy = depthSlope(depthOrNone(p - 2 * y), depthOrNone(p - y), d, depthOrNone(p + y), depthOrNone(p + 2 * y));
+    vec3 across = eyeFromDepth(inverseProjection, ndc + vec2(stride.x, 0.0), d + dx.x) - eye;
+    vec3 up = eyeFromDepth(inverseProjection, ndc + vec2(0.0, stride.y), d + dy.x) - eye;
+    float quantum = length(eyeFromDepth(inverseProjection, ndc, d - 1.2e-7) - eye);
+    if (max(abs(dot(n, across)), abs(dot(n, up))) <= 0.05 * footprint + 2.0 * quantum) return n;
+    float bend = length(eyeFromDepth(inverseProjection, ndc, d - max(dx.y, dy.y)) - eye);
+    vec3 facet = cross(across, up);
+    return bend <= 0.5 * footprint && dot(facet, facet) > 0.0 ? normalize(facet) : n;
+}
+
 // Unit vector to the eye, in a frame about the pixel's normal.
 vec3 pixelView(ivec2 p, mat3 eyeFromLocal)
 {

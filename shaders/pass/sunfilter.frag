@@ -42,12 +42,13 @@ float visibilityOf(int sun, ivec2 p)
     if (reach <= 0.5) return sum.x / sum.y;
     vec3 eye = pixelEye(p);
     vec3 n = pixelNormal(p);
+    vec3 facet = pixelFacet(p, eye, n, s.footprint);
     for (int y = -2; y <= 2; ++y)
         for (int x = -2; x <= 2; ++x) {
             ivec2 q = p + ivec2(x, y);
             float w = clamp(reach + 0.5 - float(max(abs(x), abs(y))), 0.0, 1.0);
             if (w <= 0.0 || (x == 0 && y == 0) || q != clamp(q, ivec2(0), last) || isBackground(q)) continue;
-            w *= geometryWeight(eye, n, pixelEye(q), pixelNormal(q), s.footprint);
+            w *= geometryWeight(eye, facet, n, pixelEye(q), pixelNormal(q), s.footprint);
             sum += 2.0 * w * vec2(seenAt(sun, q).x, 1.0);
         }
     return sum.x / sum.y;

@@ -331,6 +331,19 @@ TEST(parity, pixelFootprint)
         tolerance);
 }
 
+TEST(parity, depthSlope)
+{
+    // Multiples of 1/64: float knows them, and which side goes on more evenly.
+    Random random(71);
+    std::vector<Row> rows;
+    const auto depth = [&] { return std::floor(random.uniform(0.0, 65.0)) / 64.0; };
+    for (int i = 0; i < 1000; ++i)
+        rows.push_back({toFloat(vec3(depth(), depth(), depth()), depth()), toFloat(vec3(depth(), 0.0, 0.0))});
+    expectParity(
+        {"lib/depth.glsl"}, "result = vec4(depthSlope(a.x, a.y, a.z, a.w, b.x), 0.0, 0.0);", rows,
+        [](auto& in) { return vec4(glsl::depthSlope(in[0].x, in[0].y, in[0].z, in[0].w, in[1].x), 0, 0); }, within(0.0, 0.0));
+}
+
 TEST(parity, bilateral)
 {
     Random random(68);
@@ -345,9 +358,10 @@ TEST(parity, bilateral)
     // exp of up to -2, cos to the 32nd: 40 roundings, on weights of at most 1
     expectParity(
         {"lib/bilateral.glsl"},
-        "result = vec4(geometryWeight(a.xyz, b.xyz, c.xyz, d.xyz, a.w), cellWeight(2, 4), cellWeight(-4, 4), 0.0);", rows,
+        "result = vec4(geometryWeight(a.xyz, b.xyz, d.xyz, c.xyz, d.xyz, a.w), cellWeight(2, 4), cellWeight(-4, 4), 0.0);", rows,
         [](auto& in) {
-            return vec4(glsl::geometryWeight(vec3(in[0]), vec3(in[1]), vec3(in[2]), vec3(in[3]), in[0].w), 1.0, 0.5, 0);
+            return vec4(glsl::geometryWeight(vec3(in[0]), vec3(in[1]), vec3(in[3]), vec3(in[2]), vec3(in[3]), in[0].w), 1.0, 0.5,
+                        0);
         },
         within(5e-6, 2e-6));
 }

@@ -76,3 +76,24 @@ TEST(depth, FootprintOfAPixel)
         }
     }
 }
+
+TEST(depth, SlopeIsThatOfTheSideThatGoesOnEvenly)
+{
+    const auto expect = [](const vec2& slope, double exact, double bend) {
+        EXPECT_NEAR(slope.x, exact, 1e-12);
+        EXPECT_NEAR(slope.y, bend, 1e-12);
+    };
+    for (double rise : {-0.02, 0.0, 0.03}) {
+        const double d = 0.5;
+        expect(glsl::depthSlope(d - 2 * rise, d - rise, d, d + rise, d + 2 * rise), rise, 0.0);
+        // Another surface, or nothing, on either side
+        for (double other : {0.1, 0.9, 2.0}) {
+            expect(glsl::depthSlope(other, other, d, d + rise, d + 2 * rise), rise, 0.0);
+            expect(glsl::depthSlope(other, d - rise, d, d + rise, d + 2 * rise), rise, 0.0);
+            expect(glsl::depthSlope(d - 2 * rise, d - rise, d, d + rise, other), rise, 0.0);
+            expect(glsl::depthSlope(d - 2 * rise, d - rise, d, other, other), rise, 0.0);
+        }
+        // A pixel of its own has none.
+        EXPECT_GT(glsl::depthSlope(0.1, 0.1 + rise, d, 0.1 + 3 * rise, 0.1 + 4 * rise).y, 0.3);
+    }
+}
