@@ -9,14 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <thread>
 
 #include "Process.h"
 #include "Traced.h"
@@ -242,23 +236,10 @@ TEST_F(ReferenceProgram, PixelAndLights)
 
 TEST_F(ReferenceProgram, InterruptedItKeepsWhatThereIs)
 {
-    const std::string log = folder.file("log");
-    const int pid = fork();
-    if (pid == 0) {
-        if (!std::freopen(log.c_str(), "w", stderr)) _exit(126);
-        execl(program.c_str(), program.c_str(), model.c_str(), "--env", "studio", "--size", "64x64", "--spp", "10000000",
-              "--quiet", "-o", out.c_str(), nullptr);
-        _exit(127);
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
-    kill(pid, SIGINT);
-    int status = 0;
-    waitpid(pid, &status, 0);
-    ASSERT_TRUE(WIFEXITED(status));
-    EXPECT_EQ(1, WEXITSTATUS(status));
-    const std::string message = readFile(log);
-    EXPECT_NE(std::string::npos, message.find("interrupted; " + out)) << message;
-    EXPECT_EQ(1u, linesIn(message)) << message;
+    const Outcome o =
+        interruptProgram({program, model, "--env", "studio", "--size", "64x64", "--spp", "10000000", "-o", out}, "[1-9]\\d* spp");
+    EXPECT_EQ(1, o.status);
+    EXPECT_NE(std::string::npos, o.err.find("interrupted; " + out)) << o.err;
     Exr exr = readExr(out);
     EXPECT_EQ("interrupted", exr.attributes["state"]);
     EXPECT_GT(std::stol(exr.attributes["samplesPerPixel"]), 0);

@@ -2,6 +2,7 @@
 #include "Process.h"
 
 #include <fcntl.h>
+#include <pty.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -9,18 +10,26 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 
 namespace
 {
 
-int start(const std::vector<std::string>& command, const std::vector<std::string>& environment, const std::string& out,
-          const std::string& err)
+// In place of this process.
+[[noreturn]] void become(const std::vector<std::string>& command)
 {
     std::vector<char*> arguments;
     for (const std::string& a : command) arguments.push_back(const_cast<char*>(a.c_str()));
     arguments.push_back(nullptr);
+    execvp(arguments[0], arguments.data());
+    _exit(127);
+}
+
+int start(const std::vector<std::string>& command, const std::vector<std::string>& environment, const std::string& out,
+          const std::string& err)
+{
     const int pid = fork();
     if (pid < 0) throw std::runtime_error("fork failed");
     if (pid > 0) return pid;
@@ -29,8 +38,15 @@ int start(const std::vector<std::string>& command, const std::vector<std::string
     const int errFile = err == out ? outFile : open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     dup2(outFile, 1);
     dup2(errFile, 2);
-    execvp(arguments[0], arguments.data());
-    _exit(127);
+    become(command);
+}
+
+// Of one that has ended or will.
+int statusOf(int pid)
+{
+    int status = 0;
+    waitpid(pid, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
 }  // namespace
@@ -39,10 +55,27 @@ Outcome runProgram(const std::vector<std::string>& command, const std::vector<st
 {
     const TemporaryFolder folder;
     const int pid = start(command, environment, folder.file("out"), folder.file("err"));
-    int status = 0;
-    waitpid(pid, &status, 0);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), readFile(folder.file("out")),
-            readFile(folder.file("err"))};
+    const int status = statusOf(pid);
+    return {status, readFile(folder.file("out")), readFile(folder.file("err"))};
+}
+
+Outcome interruptProgram(const std::vector<std::string>& command, const std::string& shown)
+{
+    int terminal = -1;
+    const int pid = forkpty(&terminal, nullptr, nullptr, nullptr);
+    if (pid < 0) throw std::runtime_error("no terminal");
+    if (pid == 0) become(command);
+    const std::regex awaited(shown);
+    Outcome o;
+    bool pressed = false;
+    char part[4096];
+    for (ssize_t n; (n = read(terminal, part, sizeof part)) > 0;) {
+        o.err.append(part, size_t(n));
+        if (!pressed && std::regex_search(o.err, awaited)) pressed = write(terminal, "\x03", 1) == 1;
+    }
+    close(terminal);
+    o.status = statusOf(pid);
+    return o;
 }
 
 BackgroundProgram::BackgroundProgram(const std::vector<std::string>& command, const std::string& log,

@@ -14,6 +14,12 @@ struct Outcome {
 /** Run a program with its arguments, nothing between them and it, and wait for its end. */
 Outcome runProgram(const std::vector<std::string>& command, const std::vector<std::string>& environment = {});
 
+/**
+ * Run a program in a terminal, press Ctrl-C once it has shown what a regular expression finds, and wait for its end.
+ * err is all that was shown.
+ */
+Outcome interruptProgram(const std::vector<std::string>& command, const std::string& shown);
+
 /** A program that runs until it is told to end. */
 class BackgroundProgram
 {
