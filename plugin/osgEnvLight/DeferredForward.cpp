@@ -61,10 +61,7 @@ void DeferredTechnique::setForwardState(Cull& c)
         in.samplers.push_back({"bounceMap", c.view.target("bouncesum", {}).textures[0].get()});
     }
     for (const std::string& d : in.defines) s.setDefine(d);
-    for (unsigned i = 0; i < in.samplers.size(); ++i) {
-        s.setTextureAttribute(firstUnit + i, in.samplers[i].texture, on);
-        s.addUniform(new osg::Uniform(in.samplers[i].name, int(firstUnit + i)));
-    }
+    for (unsigned i = 0; i < in.samplers.size(); ++i) bind(s, firstUnit + i, in.samplers[i]);
 }
 
 }  // namespace osgEnvLight

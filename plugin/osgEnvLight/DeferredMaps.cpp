@@ -14,12 +14,6 @@ namespace
 
 const unsigned on = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
 
-void bind(osg::StateSet& stateSet, unsigned unit, const char* name, osg::Texture* texture)
-{
-    stateSet.setTextureAttribute(unit, texture, on);
-    stateSet.addUniform(new osg::Uniform(name, int(unit)), on);
-}
-
 }  // namespace
 
 AtlasRefresh::States DeferredTechnique::mapStates(Cull& c, const std::string& name, const std::string& shader,
@@ -38,7 +32,7 @@ AtlasRefresh::States DeferredTechnique::mapStates(Cull& c, const std::string& na
         if (!second) continue;
         s.setDefine("CASTER_SECOND");
         s.setAttribute(new osg::ColorMask(false, false, false, false), on);
-        bind(s, 1, "firstDepthMap", targets.firstDepth.get());
+        bind(s, 1, {"firstDepthMap", targets.firstDepth.get()});
     }
     ViewData::State state = c.view.state(name + " maps");
     states.midpoints = &state.stateSet;
@@ -46,9 +40,9 @@ AtlasRefresh::States DeferredTechnique::mapStates(Cull& c, const std::string& na
         osg::StateSet& s = state.stateSet;
         s.setAttribute(_library->program("pass/fullscreen.vert", shader), on);
         s.setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0, 1, false), osg::StateAttribute::OFF);
-        bind(s, 0, "firstDepthMap", targets.firstDepth.get());
-        bind(s, 1, "secondDepthMap", targets.secondDepth.get());
-        bind(s, 2, "firstSlopeMap", targets.firstSlope.get());
+        bind(s, 0, {"firstDepthMap", targets.firstDepth.get()});
+        bind(s, 1, {"secondDepthMap", targets.secondDepth.get()});
+        bind(s, 2, {"firstSlopeMap", targets.firstSlope.get()});
     }
     return states;
 }

@@ -27,6 +27,12 @@ osg::StateSet& DeferredTechnique::gbufferState(Cull& c)
     return state.stateSet;
 }
 
+void DeferredTechnique::bind(osg::StateSet& stateSet, unsigned unit, const Sampler& sampler)
+{
+    stateSet.setTextureAttribute(unit, sampler.texture, on);
+    stateSet.addUniform(new osg::Uniform(sampler.name, int(unit)), on);
+}
+
 osg::StateSet& DeferredTechnique::passState(Cull& c, const std::string& name, const PassInputs& inputs)
 {
     std::string key = name + " " + std::to_string(inputs.lights) + (inputs.adds ? " adds" : "");
@@ -49,10 +55,7 @@ osg::StateSet& DeferredTechnique::passState(Cull& c, const std::string& name, co
                                 {"specularMap", c.gbuffer.specular.get()},
                                 {"depthMap", c.gbuffer.depth.get()}};
     all.insert(all.end(), inputs.samplers.begin(), inputs.samplers.end());
-    for (size_t unit = 0; unit < all.size(); ++unit) {
-        s.setTextureAttribute(unsigned(unit), all[unit].texture, on);
-        s.addUniform(new osg::Uniform(all[unit].name, int(unit)), on);
-    }
+    for (unsigned unit = 0; unit < all.size(); ++unit) bind(s, unit, all[unit]);
     return s;
 }
 

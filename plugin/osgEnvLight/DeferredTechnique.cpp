@@ -239,8 +239,11 @@ void DeferredTechnique::fillGBuffer(Cull& c, LitScene& node, osgUtil::CullVisito
     f.gbufferStage->setPositionalStateContainer(c.host.getPositionalStateContainer());
 
     osgUtil::RenderBin* hostBin = cv.getCurrentRenderBin();
-    f.forwardState = new osg::StateSet;  // setForwardState()
-    const SurfaceSorter::LitState lit = [&] { return f.forwardState.get(); };
+    f.forwardState = nullptr;
+    const SurfaceSorter::LitState lit = [&] {
+        if (!f.forwardState) f.forwardState = new osg::StateSet;  // setForwardState() fills it
+        return f.forwardState.get();
+    };
     cv.pushViewport(c.view.viewport());
     c.view.plan.surfaces = f.fill->fill(cv, *f.gbufferStage, hostBin, lit, forward, [&] {
         cv.setCurrentRenderBin(f.gbufferStage.get());

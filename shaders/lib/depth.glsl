@@ -32,6 +32,12 @@ float pixelFootprint(mat4 inverseProjection, vec2 ndc, float depth, vec2 size)
     return length(a - b);
 }
 
+// Two steps of a 24-bit depth buffer at depth, towards the eye, in eye space.
+vec3 depthStep(mat4 inverseProjection, vec2 ndc, float depth)
+{
+    return eyeFromDepth(inverseProjection, ndc, depth - 1.2e-7) - eyeFromDepth(inverseProjection, ndc, depth);
+}
+
 // By how much depth changes from a pixel to the next, at d in a line of five: of a plane it changes evenly in any projection.
 // From both sides if they agree, else from the one that goes on more evenly. y: by how much its pixels do not.
 vec2 depthSlope(float d0, float d1, float d, float d3, float d4)

@@ -55,7 +55,7 @@ vec3 pixelFacet(ivec2 p, vec3 eye, vec3 n, float footprint)
     vec2 dy = depthSlope(depthOrNone(p - 2 * y), depthOrNone(p - y), d, depthOrNone(p + y), depthOrNone(p + 2 * y));
     vec3 across = eyeFromDepth(inverseProjection, ndc + vec2(stride.x, 0.0), d + dx.x) - eye;
     vec3 up = eyeFromDepth(inverseProjection, ndc + vec2(0.0, stride.y), d + dy.x) - eye;
-    float quantum = length(eyeFromDepth(inverseProjection, ndc, d - 1.2e-7) - eye);
+    float quantum = length(depthStep(inverseProjection, ndc, d));
     if (max(abs(dot(n, across)), abs(dot(n, up))) <= 0.05 * footprint + 2.0 * quantum) return n;
     float bend = length(eyeFromDepth(inverseProjection, ndc, d - max(dx.y, dy.y)) - eye);
     vec3 facet = cross(across, up);

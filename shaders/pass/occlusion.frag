@@ -52,7 +52,7 @@ Receiver receiverAt(ivec2 p)
     r.eye = eyeFromDepth(inverseProjection, ndc, depth);
     r.normal = pixelNormal(p);
     r.footprint = pixelFootprint(inverseProjection, ndc, depth, viewportSize);
-    float quantum = abs(eyeFromDepth(inverseProjection, ndc, depth - 1.2e-7).z - r.eye.z);
+    float quantum = abs(depthStep(inverseProjection, ndc, depth).z);
     r.bias = 0.1 * r.footprint + quantum;
     return r;
 }

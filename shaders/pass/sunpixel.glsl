@@ -17,7 +17,7 @@ SunPixel sunPixel(ivec2 p)
     s.point = vec3(atlasFromEye * vec4(eye, 1.0));
     s.normal = mat3(atlasFromEye) * pixelNormal(p);
     s.ray = mat3(atlasFromEye) * viewRay(inverseProjection, ndc);
-    s.quantum = length(eyeFromDepth(inverseProjection, ndc, depth - 1.2e-7) - eye);
+    s.quantum = length(depthStep(inverseProjection, ndc, depth));
     s.footprint = pixelFootprint(inverseProjection, ndc, depth, viewportSize);
     s.group = bayer4(p.x, p.y);
     return s;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The sky shadow atlas against closed forms.
 #include "AtlasScenes.h"
+#include "ClosedRoom.h"
 
 #include <SceneRenderer.h>
 
@@ -68,13 +69,7 @@ TEST(Atlas, AClosedRoomIsBlackInside)
     SceneRenderer renderer(96, 96);
     osg::ref_ptr<LitScene> lit = atlasScene();
     // Walls of a tenth of the room: two texels of the maps.
-    for (int axis = 0; axis < 3; ++axis)
-        for (double side : {-1.0, 1.0}) {
-            osg::Vec3d low(-1.2, -1.2, -1.2), high(1.2, 1.2, 1.2);
-            low[axis] = side > 0.0 ? 1.0 : -1.2;
-            high[axis] = side > 0.0 ? 1.2 : -1.0;
-            lit->addChild(makeBox(low, high));
-        }
+    addClosedRoom(*lit, 1.0, 1.2);
     renderer.lookAt(osg::Vec3d(0.7, -0.8, 0.6), osg::Vec3d(-0.3, 0.4, -0.2), osg::Vec3d(0, 0, 1), 90.0);
     const Picture p = renderer.render(lit);
     double most = 0.0;

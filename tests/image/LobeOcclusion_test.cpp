@@ -10,6 +10,7 @@
 
 #include <cmath>
 
+#include "ClosedRoom.h"
 #include "TracedView.h"
 
 using osgEnvLight::Layer;
@@ -63,13 +64,7 @@ TEST(LobeOcclusion, AClosedRoomReflectsNothingOfIt)
 {
     SceneRenderer renderer(64, 64);
     osg::ref_ptr<LitScene> lit = specularScene();
-    for (int axis = 0; axis < 3; ++axis)
-        for (double side : {-1.0, 1.0}) {
-            osg::Vec3d low(-2.5, -2.5, -2.5), high(2.5, 2.5, 2.5);
-            low[axis] = side > 0.0 ? 2.0 : -2.5;
-            high[axis] = side > 0.0 ? 2.5 : -2.0;
-            lit->addChild(makeBox(low, high));
-        }
+    addClosedRoom(*lit, 2.0, 2.5);
     lit->addChild(metal(makeSphere(osg::Vec3d(0, 0, -0.5), 0.8), 0.4f));
     renderer.lookAt(osg::Vec3d(0.3, -1.8, 0.2), osg::Vec3d(), osg::Vec3d(0, 0, 1), 60.0);
     const Picture p = renderer.render(lit);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the suns' shadow maps say is seen of a sun, against closed forms.
+#include "ClosedRoom.h"
 #include "SunScenes.h"
 
 #include <osg/MatrixTransform>
@@ -106,14 +107,7 @@ TEST(SunShadows, AClosedRoomIsBlackInside)
         osg::ref_ptr<LitScene> lit = sunny(osg::Vec3d(0.3, 0.4, 1), 2.0);
         lit->getSettings()->view = Settings::BEAUTY;
         lit->getSettings()->background = Settings::BACKGROUND_OFF;
-        for (int axis = 0; axis < 3; ++axis)
-            for (double side : {-1.0, 1.0}) {
-                const double outer = 1.0 + wall;
-                osg::Vec3d low(-outer, -outer, -outer), high(outer, outer, outer);
-                low[axis] = side > 0.0 ? 1.0 : -outer;
-                high[axis] = side > 0.0 ? outer : -1.0;
-                lit->addChild(makeBox(low, high));
-            }
+        addClosedRoom(*lit, 1.0, 1.0 + wall);
         for (double turn : {0.0, 120.0, 240.0}) {
             const osg::Quat q(turn * degree, osg::Vec3d(0, 0, 1));
             renderer.lookAt(q * osg::Vec3d(0.7, -0.8, 0.6), q * osg::Vec3d(-0.3, 0.4, -0.2), osg::Vec3d(0, 0, 1), 90.0);

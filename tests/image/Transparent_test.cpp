@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What hides light from transparent surfaces, which are drawn after the composite.
 #include "AtlasScenes.h"
+#include "ClosedRoom.h"
 #include "SunScenes.h"
 
 #include <osg/Material>
@@ -10,23 +11,25 @@ using namespace atlasscenes;
 namespace
 {
 
-// All but opaque: what is behind it adds no more than .002.
-osg::ref_ptr<osg::Geode> transparent(const osg::ref_ptr<osg::Geode>& geode)
+osg::ref_ptr<osg::Geode> white(const osg::ref_ptr<osg::Geode>& geode, float opacity)
 {
-    osg::StateSet& s = *geode->getOrCreateStateSet();
     osg::ref_ptr<osg::Material> material = new osg::Material;
-    material->setDiffuse(osg::Material::FRONT_AND_BACK, osg::Vec4(1, 1, 1, 0.998f));
-    s.setAttributeAndModes(material);
-    s.setMode(GL_BLEND, osg::StateAttribute::ON);
-    s.setRenderingHint(osg::StateSet::TRANSPARENT_BIN);
+    material->setDiffuse(osg::Material::FRONT_AND_BACK, osg::Vec4(1, 1, 1, opacity));
+    geode->getOrCreateStateSet()->setAttributeAndModes(material);
     return geode;
 }
 
 osg::ref_ptr<osg::Geode> opaque(const osg::ref_ptr<osg::Geode>& geode)
 {
-    osg::ref_ptr<osg::Material> material = new osg::Material;
-    material->setDiffuse(osg::Material::FRONT_AND_BACK, osg::Vec4(1, 1, 1, 1));
-    geode->getOrCreateStateSet()->setAttributeAndModes(material);
+    return white(geode, 1.0f);
+}
+
+// All but opaque: what is behind it adds no more than .002.
+osg::ref_ptr<osg::Geode> transparent(const osg::ref_ptr<osg::Geode>& geode)
+{
+    osg::StateSet& s = *white(geode, 0.998f)->getStateSet();
+    s.setMode(GL_BLEND, osg::StateAttribute::ON);
+    s.setRenderingHint(osg::StateSet::TRANSPARENT_BIN);
     return geode;
 }
 
@@ -56,12 +59,7 @@ TEST(Transparent, BlackInAClosedRoom)
 {
     SceneRenderer renderer(64, 64);
     const osg::ref_ptr<LitScene> lit = beauty(constantMap(1.0));
-    for (int axis = 0; axis < 3; ++axis)
-        for (double side : {-1.0, 1.0}) {
-            osg::Vec3d low(-1.2, -1.2, -1.2), high(1.2, 1.2, 1.2);
-            (side < 0 ? high : low)[axis] = side;
-            lit->addChild(makeBox(low, high));
-        }
+    addClosedRoom(*lit, 1.0, 1.2);
     lit->addChild(transparent(makeQuad(osg::Vec3d(-0.5, 0, -0.5), osg::Vec3d(1, 0, 0), osg::Vec3d(0, 0, 1))));
     renderer.lookAt(osg::Vec3d(0, -0.95, 0.1), osg::Vec3d());
     const Picture p = renderer.render(lit);
