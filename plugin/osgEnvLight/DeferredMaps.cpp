@@ -31,7 +31,7 @@ AtlasRefresh::States DeferredTechnique::mapStates(Cull& c, const std::string& na
         s.addUniform(new osg::Uniform("baseColorMap", 0));
         if (!second) continue;
         s.setDefine("CASTER_SECOND");
-        s.setAttribute(new osg::ColorMask(false, false, false, false), on);
+        s.setAttribute(new osg::ColorMask(false, true, false, false), on);  // beside the first one's slope
         bind(s, 1, {"firstDepthMap", targets.firstDepth.get()});
     }
     ViewData::State state = c.view.state(name + " maps");

@@ -9,8 +9,8 @@
 
 // Height half-way between the first and the second surface, by their depths; the first where none is behind it. Open surfaces
 // are let down by what they rise within a texel, not to shade themselves: by limit at most, or three times that where nothing
-// is behind or leaves and grilles are known to be sheets. slope: of the first surface, heights per texel, negative for those.
-// limit: a texel of a sun's map, in heights; those of the sky have none.
+// is behind or they are known to be sheets. slope: of the first surface, heights per texel, negative for those. limit: a texel
+// in heights.
 float midpointHeight(float firstDepth, float secondDepth, float slope, float limit)
 {
     if (firstDepth >= 1.0) return 0.0;
@@ -21,18 +21,38 @@ float midpointHeight(float firstDepth, float secondDepth, float slope, float lim
     return max(min(middle, first - min(0.71 * abs(slope), most)), 0.0);
 }
 
+// What a map of the sky keeps: the middle of bodies, whose second surface shows its back (1, else 0). Else what is behind may
+// be the far end of the scene: no lower than a texel under the first surface, and hardly at all if that is a sheet. What a plane
+// rises within a texel is the look-up's to know [riseToCentre()].
+float skyHeight(float firstDepth, float secondDepth, float slope, float back, float texel)
+{
+    if (firstDepth >= 1.0) return 0.0;
+    float middle = secondDepth < 1.0 ? 0.5 * (secondDepth - firstDepth) : 0.0;
+    float least = min(0.71 * abs(slope), 0.1 * texel + 0.05 * abs(slope)); // a G-buffer's normals are not exact
+    float most = slope < 0.0 ? least : max(least, back > 0.5 ? 1.0 : texel);
+    return max(1.0 - firstDepth - clamp(middle, least, most), 0.0);
+}
+
+// By how much the plane of normal n through a point at texel position xy is higher at the texel's centre. n: in positions and
+// heights.
+float riseToCentre(vec3 n, vec2 xy)
+{
+    return -dot(vec2(n.x, n.y), floor(xy) + 0.5 - xy) / max(n.z, 1e-20);
+}
+
 // Where a point is looked up: off the surface by a tenth of a texel where the light grazes it.
 vec3 atlasLookupPoint(vec3 p, vec3 n, float cosine, float texel)
 {
     return p + n * (0.1 * texel * sqrt(max(1.0 - cosine * cosine, 0.0)));
 }
 
-// 1 if the point at texel position xy and height sees the light of the map that starts at corner, else 0.
-float atlasVisible(sampler2D atlasMap, ivec2 corner, int size, vec2 xy, float height)
+// 1 if the point at texel position xy and height sees the light of the map that starts at corner, else 0. rise: of the point's
+// plane to the texel's centre, where the map was made; believed as far as the first surface rises, too: else it is another.
+float atlasVisible(sampler2D atlasMap, ivec2 corner, int size, vec2 xy, float height, float rise)
 {
     if (min(xy.x, xy.y) < 0.0 || max(xy.x, xy.y) >= float(size)) return 1.0;
-    float middle = texelFetch(atlasMap, corner + ivec2(xy), 0).x;
-    return middle <= height + ATLAS_STEP ? 1.0 : 0.0;
+    vec4 middle = texelFetch(atlasMap, corner + ivec2(xy), 0);
+    return middle.x <= height + clamp(rise, 0.0, 0.71 * middle.y) + ATLAS_STEP ? 1.0 : 0.0;
 }
 
 #endif

@@ -43,10 +43,15 @@ AtlasLight atlasLight(int group, int i)
     return light;
 }
 
-vec3 atlasPlace(ivec2 row, vec4 q)
+// A point's place in a map, and by how much its plane is higher at the texel's centre.
+vec4 atlasPlace(ivec2 row, vec3 p, vec3 n)
 {
-    return vec3(dot(texelFetch(atlasLightMap, row, 0), q), dot(texelFetch(atlasLightMap, row + ivec2(0, 1), 0), q),
-                dot(texelFetch(atlasLightMap, row + ivec2(0, 2), 0), q));
+    mat3x4 toMap = mat3x4(texelFetch(atlasLightMap, row, 0), texelFetch(atlasLightMap, row + ivec2(0, 1), 0),
+                          texelFetch(atlasLightMap, row + ivec2(0, 2), 0));
+    vec3 place = vec4(p, 1.0) * toMap;
+    // Positions are atlasSize times as fine as heights, and normals go by the inverse.
+    vec3 normal = vec4(n, 0.0) * toMap / vec3(atlasSize * atlasSize, atlasSize * atlasSize, 1);
+    return vec4(place, riseToCentre(normal, place.xy));
 }
 
 ivec2 atlasCorner(sampler2D maps, int map)
@@ -65,11 +70,11 @@ float neighbourhoodSees(AtlasLight light, vec3 p, vec3 n, float cosine)
     if (length(p - neighbourhood.xyz) >= end * neighbourhood.w) return -1.0;
     ivec2 row = ivec2(light.index, 64 + 4 * light.group);
     if (texelFetch(atlasLightMap, row + ivec2(0, 3), 0).a < 0.0) return -1.0;
-    vec3 place = atlasPlace(row, vec4(atlasLookupPoint(p, n, cosine, neighbourhoodTexel), 1.0));
+    vec4 place = atlasPlace(row, atlasLookupPoint(p, n, cosine, neighbourhoodTexel), n);
     // A map may still be where the neighbourhood was before.
     vec3 extent = vec3(atlasSize, atlasSize, 1.0);
-    if (any(lessThan(place, vec3(0.0))) || any(greaterThanEqual(place, extent))) return -1.0;
-    return atlasVisible(finerAtlasMap, atlasCorner(finerAtlasMap, map), atlasSize, place.xy, place.z);
+    if (any(lessThan(place.xyz, vec3(0.0))) || any(greaterThanEqual(place.xyz, extent))) return -1.0;
+    return atlasVisible(finerAtlasMap, atlasCorner(finerAtlasMap, map), atlasSize, place.xy, place.z, place.w);
 }
 #endif
 
@@ -91,9 +96,9 @@ float atlasSees(AtlasLight light, vec3 p, vec3 n, float cosine)
     float seen = neighbourhoodSees(light, p, n, cosine);
     if (seen >= 0.0) return seen;
 #endif
-    vec3 place = atlasPlace(ivec2(light.index, 4 * light.group), vec4(atlasLookupPoint(p, n, cosine, light.texel), 1.0));
+    vec4 place = atlasPlace(ivec2(light.index, 4 * light.group), atlasLookupPoint(p, n, cosine, light.texel), n);
     ivec2 corner = atlasCorner(atlasMap, 16 * light.index + light.group);
-    return atlasVisible(atlasMap, corner, atlasSize, place.xy, place.z);
+    return atlasVisible(atlasMap, corner, atlasSize, place.xy, place.z, place.w);
 }
 
 #endif

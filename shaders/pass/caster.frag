@@ -20,7 +20,7 @@ uniform ivec2 atlasMapIndex;
 in vec4 vertexColor;
 in vec2 textureCoordinate;
 
-layout(location = 0) out vec4 surface; // slope, negative for sheets
+layout(location = 0) out vec4 surface; // slope, negative for sheets: leaves, grilles and what shows its back; second: 1 if that
 
 float casterAlpha()
 {
@@ -54,11 +54,12 @@ void main()
 #endif
 #ifdef CASTER_SECOND
     if (gl_FragCoord.z <= texelFetch(firstDepthMap, ivec2(gl_FragCoord.xy), 0).r + ATLAS_STEP) discard;
-    surface = vec4(0.0, 0.0, 0.0, alpha);
+    surface = vec4(0.0, gl_FrontFacing ? 0.0 : 1.0, 0.0, alpha);
 #else
     float slope = length(vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z)));
+    if (!gl_FrontFacing) slope = -slope;
 #ifdef CASTER_ALPHA
-    slope = -slope;
+    slope = -abs(slope);
 #endif
     surface = vec4(slope, 0.0, 0.0, alpha);
 #endif

@@ -1,6 +1,6 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// From the two surfaces of a map of the sky shadow atlas to its midpoint heights.
+// From the two surfaces of a map of the sky shadow atlas to its heights, and the first surface's slope.
 #include "lib/atlas.glsl"
 
 uniform sampler2D firstDepthMap;
@@ -10,12 +10,12 @@ uniform ivec2 batchFromAtlas; // from this texel to the map's in the batch
 
 layout(location = 0) out vec4 height;
 
-// What lights graze is let down by all that it rises within a texel: by less, and thin things shade themselves.
-const float UNLIMITED = 1.0;
-
 void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy) + batchFromAtlas;
-    height = vec4(midpointHeight(texelFetch(firstDepthMap, p, 0).r, texelFetch(secondDepthMap, p, 0).r,
-                                 texelFetch(firstSlopeMap, p, 0).r, UNLIMITED));
+    float texel = 1.0 / float(textureSize(firstDepthMap, 0).y);
+    vec4 slope = texelFetch(firstSlopeMap, p, 0);
+    float middle =
+        skyHeight(texelFetch(firstDepthMap, p, 0).r, texelFetch(secondDepthMap, p, 0).r, slope.r, slope.g, texel);
+    height = vec4(middle, abs(slope.r), 0.0, 0.0);
 }

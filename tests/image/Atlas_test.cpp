@@ -78,6 +78,24 @@ TEST(Atlas, AClosedRoomIsBlackInside)
     EXPECT_EQ(0.0, most);
 }
 
+// Seen from below, the texels beside a thing that stands on the floor have the floor first and the ceiling behind it.
+TEST(Atlas, NoLightComesThroughAFloorWithoutThickness)
+{
+    SceneRenderer renderer(96, 96);
+    osg::ref_ptr<LitScene> lit = atlasScene();
+    lit->getEnvironmentMap()->setImage(
+        makeMap(64, 32, [](const osg::Vec3d& d) { return osg::Vec3d(1, 1, 1) * (d.z() < -0.3 ? 1.0 : 0.0); }).get());
+    lit->addChild(makeQuad(osg::Vec3d(-8, -8, 0), osg::Vec3d(16, 0, 0), osg::Vec3d(0, 16, 0)));
+    lit->addChild(makeQuad(osg::Vec3d(-8, -8, 4), osg::Vec3d(16, 0, 0), osg::Vec3d(0, 16, 0)));
+    lit->addChild(makeBox(osg::Vec3d(-0.2, -0.2, 0), osg::Vec3d(0.2, 0.2, 4)));  // two texels thick
+    renderer.lookAt(osg::Vec3d(0, -3, 1), osg::Vec3d(0, 0, 1), osg::Vec3d(0, 0, 1), 24.0);
+    const Picture p = renderer.render(lit);
+    double most = 0.0;
+    for (int y = 0; y < p.height; ++y)
+        for (int x = 40; x < 56; ++x) most = std::max(most, double(p.color(x, y)[0]));
+    EXPECT_LT(most, 0.005);  // measured .0022; with middles half-way to the ceiling .094
+}
+
 TEST(Atlas, OccludersOutOfTheViewOcclude)
 {
     SceneRenderer renderer(96, 96);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "glsl.h"
 
 namespace
@@ -44,14 +46,59 @@ TEST(atlas, PointsAreLookedUpOffTheSurfaceWhereLightGrazes)
     EXPECT_NEAR(3.0 + 0.08 * texel, glsl::atlasLookupPoint(p, n, 0.6, texel).z, 1e-15);
 }
 
+TEST(atlas, MapsOfTheSkyKeepTheMiddleOfBodies)
+{
+    const double first = 0.7;
+    const auto height = [&](double secondHeight, double slope, double back) {
+        return glsl::skyHeight(1.0 - first, 1.0 - secondHeight, slope, back, texel);
+    };
+    EXPECT_EQ(0.0, glsl::skyHeight(1.0, 1.0, 0.0, 0.0, texel));
+    EXPECT_DOUBLE_EQ(0.5, height(0.3, 0.0, 1.0));
+    EXPECT_DOUBLE_EQ(first, height(0.0, 0.0, 0.0));
+    // Down to a texel where what is behind is another body.
+    EXPECT_DOUBLE_EQ(first - 0.5 * texel, height(first - texel, 0.0, 0.0));
+    EXPECT_DOUBLE_EQ(first - texel, height(0.1, 0.0, 0.0));
+    // A tenth of a texel and a little of the slope where the light grazes it, and no more for a sheet.
+    EXPECT_DOUBLE_EQ(first - 0.2 * texel, height(0.0, 2.0 * texel, 0.0));
+    EXPECT_DOUBLE_EQ(first - 0.2 * texel, height(0.1, -2.0 * texel, 1.0));
+    EXPECT_DOUBLE_EQ(first - 0.71e-3 * texel, height(0.0, 1e-3 * texel, 0.0));
+    EXPECT_EQ(0.0, glsl::skyHeight(1.0 - 1e-4, 1.0, 10.0 * texel, 0.0, texel));  // the map's own floor
+}
+
+TEST(atlas, PlanesRiseToTheTexelsCentre)
+{
+    // Of height 2 x - 3 y: its normal is (-2, 3, 1).
+    EXPECT_NEAR(2.0 * (5.5 - 5.2) - 3.0 * (7.5 - 7.9), glsl::riseToCentre(glsl::vec3(-2, 3, 1), glsl::vec2(5.2, 7.9)), 1e-12);
+    EXPECT_EQ(0.0, glsl::riseToCentre(glsl::vec3(-2, 3, 1), glsl::vec2(5.5, 7.5)));
+    EXPECT_EQ(0.0, glsl::riseToCentre(glsl::vec3(0, 0, 1), glsl::vec2(5.1, 7.2)));
+    EXPECT_TRUE(std::isfinite(glsl::riseToCentre(glsl::vec3(1, 0, 0), glsl::vec2(5.1, 7.2))));
+}
+
 TEST(atlas, VisibleAtOrAboveTheMapsHeightAndOutsideIt)
 {
     const float heights[] = {0.5f, 0, 0, 0, 0.25f, 0, 0, 0, 0.0f, 0, 0, 0, 1.0f, 0, 0, 0};
     const glsl::sampler2D map{heights, 2, 2};
-    EXPECT_EQ(1.0, glsl::atlasVisible(map, glsl::ivec2(0, 0), 2, glsl::vec2(0.5, 0.5), 0.5));
-    EXPECT_EQ(0.0, glsl::atlasVisible(map, glsl::ivec2(0, 0), 2, glsl::vec2(0.5, 0.5), 0.4999));
-    EXPECT_EQ(1.0, glsl::atlasVisible(map, glsl::ivec2(0, 0), 2, glsl::vec2(1.5, 0.5), 0.3));
-    EXPECT_EQ(0.0, glsl::atlasVisible(map, glsl::ivec2(0, 0), 2, glsl::vec2(1.5, 1.5), 0.9));
-    EXPECT_EQ(1.0, glsl::atlasVisible(map, glsl::ivec2(0, 0), 2, glsl::vec2(2.5, 1.5), 0.0));
-    EXPECT_EQ(1.0, glsl::atlasVisible(map, glsl::ivec2(0, 0), 2, glsl::vec2(-0.5, 1.5), 0.0));
+    const auto sees = [&](double x, double y, double height) {
+        return glsl::atlasVisible(map, glsl::ivec2(0, 0), 2, glsl::vec2(x, y), height, 0.0);
+    };
+    EXPECT_EQ(1.0, sees(0.5, 0.5, 0.5));
+    EXPECT_EQ(0.0, sees(0.5, 0.5, 0.4999));
+    EXPECT_EQ(1.0, sees(1.5, 0.5, 0.3));
+    EXPECT_EQ(0.0, sees(1.5, 1.5, 0.9));
+    EXPECT_EQ(1.0, sees(2.5, 1.5, 0.0));
+    EXPECT_EQ(1.0, sees(-0.5, 1.5, 0.0));
+}
+
+TEST(atlas, TheRiseOfAPlaneCountsAsFarAsTheFirstSurfaceRises)
+{
+    const float slope = 0.1f;
+    const float heights[] = {0.5f, slope, 0, 0};
+    const glsl::sampler2D map{heights, 1, 1};
+    const auto sees = [&](double below, double rise) {
+        return glsl::atlasVisible(map, glsl::ivec2(0, 0), 1, glsl::vec2(0.5, 0.5), 0.5 - below, rise);
+    };
+    EXPECT_EQ(1.0, sees(0.03, 0.03));
+    EXPECT_EQ(0.0, sees(0.03, 0.02));
+    EXPECT_EQ(0.0, sees(0.08, 0.08));  // more than .71 of the slope
+    EXPECT_EQ(1.0, sees(0.0, -0.03));  // lower at the centre: the point is not
 }
