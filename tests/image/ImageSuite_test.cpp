@@ -131,15 +131,15 @@ TEST(ImageSuiteTable, TheBounceBringsThePictureNearerFullTransport)
 }
 
 // One number a pixel can't say from where light is kept: even exact, and with all else exact, it leaves more error than our
-// pictures have with all of theirs [envlight_scalar_study]. relMSE says so of 52 rows in 61. Not of the atrium's four, where
-// light leaks at the walls' feet into what is all but black; nor of five in which a few pixels of S outweigh the picture, as
-// glossy surfaces reflect what is hidden from them: gloss under courtyard and sunset, chess under studio and courtyard, spheres.
+// pictures have with all of theirs [envlight_scalar_study]. tRMSE says so of 59 rows in 61, relMSE of 54. Not of three of the
+// atrium's, where light leaks at the walls' feet into what is all but black; nor of four in which a few pixels of S outweigh the
+// picture, as glossy surfaces reflect what is hidden from them: gloss under courtyard and sunset, chess and spheres under studio.
 // D - O alone is nearer than exact ambient occlusion on those, too.
 TEST(ImageSuiteTable, IsBetterThanExactScalarOcclusion)
 {
     const auto scalar = suite::readScalar(scalarFile);
     for (Figure f : {suite::REL_MSE, suite::TONED}) {
-        const double share = f == suite::REL_MSE ? 0.84 : 0.9;
+        const double share = f == suite::REL_MSE ? 0.86 : 0.95;  // one row fewer than that
         int better = 0;
         std::ostringstream others;
         const int count = forRows([&](const Row& row, const Result& r) {
