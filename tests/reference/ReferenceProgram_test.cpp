@@ -240,6 +240,7 @@ TEST_F(ReferenceProgram, InterruptedItKeepsWhatThereIs)
         interruptProgram({program, model, "--env", "studio", "--size", "64x64", "--spp", "10000000", "-o", out}, "[1-9]\\d* spp");
     EXPECT_EQ(1, o.status);
     EXPECT_NE(std::string::npos, o.err.find("interrupted; " + out)) << o.err;
+    EXPECT_EQ(2u, linesIn(o.err)) << o.err;  // after how many samples, and that
     Exr exr = readExr(out);
     EXPECT_EQ("interrupted", exr.attributes["state"]);
     EXPECT_GT(std::stol(exr.attributes["samplesPerPixel"]), 0);

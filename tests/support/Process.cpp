@@ -55,8 +55,7 @@ Outcome runProgram(const std::vector<std::string>& command, const std::vector<st
 {
     const TemporaryFolder folder;
     const int pid = start(command, environment, folder.file("out"), folder.file("err"));
-    const int status = statusOf(pid);
-    return {status, readFile(folder.file("out")), readFile(folder.file("err"))};
+    return {statusOf(pid), readFile(folder.file("out")), readFile(folder.file("err"))};  // in this order
 }
 
 Outcome interruptProgram(const std::vector<std::string>& command, const std::string& shown)
