@@ -7,6 +7,12 @@
 // Shadows are told apart from this height on: the 10^-4 of the half cube that separates a first and a second surface.
 #define ATLAS_STEP 5e-5
 
+// What a surface rises from a texel's centre to a corner at most. slope: heights per texel.
+float riseToCorner(float slope)
+{
+    return 0.71 * abs(slope);
+}
+
 // Height half-way between the first and the second surface, by their depths; the first where none is behind it. Open surfaces
 // are let down by what they rise within a texel, not to shade themselves: by limit at most, or three times that where nothing
 // is behind or they are known to be sheets. slope: of the first surface, heights per texel, negative for those. limit: a texel
@@ -18,7 +24,7 @@ float midpointHeight(float firstDepth, float secondDepth, float slope, float lim
     bool behind = secondDepth < 1.0;
     float middle = behind ? 0.5 * (first + 1.0 - secondDepth) : first;
     float most = behind && slope >= 0.0 ? limit : 3.0 * limit;
-    return max(min(middle, first - min(0.71 * abs(slope), most)), 0.0);
+    return max(min(middle, first - min(riseToCorner(slope), most)), 0.0);
 }
 
 // What a map of the sky keeps: the middle of bodies, whose second surface shows its back (1, else 0). Else what is behind may
@@ -28,7 +34,7 @@ float skyHeight(float firstDepth, float secondDepth, float slope, float back, fl
 {
     if (firstDepth >= 1.0) return 0.0;
     float middle = secondDepth < 1.0 ? 0.5 * (secondDepth - firstDepth) : 0.0;
-    float least = min(0.71 * abs(slope), 0.1 * texel + 0.05 * abs(slope)); // a G-buffer's normals are not exact
+    float least = min(riseToCorner(slope), 0.1 * texel + 0.05 * abs(slope)); // a G-buffer's normals are not exact
     float most = slope < 0.0 ? least : max(least, back > 0.5 ? 1.0 : texel);
     return max(1.0 - firstDepth - clamp(middle, least, most), 0.0);
 }
@@ -52,7 +58,7 @@ float atlasVisible(sampler2D atlasMap, ivec2 corner, int size, vec2 xy, float he
 {
     if (min(xy.x, xy.y) < 0.0 || max(xy.x, xy.y) >= float(size)) return 1.0;
     vec4 middle = texelFetch(atlasMap, corner + ivec2(xy), 0);
-    return middle.x <= height + clamp(rise, 0.0, 0.71 * middle.y) + ATLAS_STEP ? 1.0 : 0.0;
+    return middle.x <= height + clamp(rise, 0.0, riseToCorner(middle.y)) + ATLAS_STEP ? 1.0 : 0.0;
 }
 
 #endif
