@@ -26,11 +26,12 @@ bool hasSurfaces(const osg::Geometry& geometry)
 
 }  // namespace
 
-CasterCollector::CasterCollector(osgUtil::CullVisitor& cv, const osg::Matrixd& worldFromEye, StateSets& stateSets)
+CasterCollector::CasterCollector(osgUtil::CullVisitor& cv, const osg::Matrixd& worldFromEye, StateSets& stateSets,
+                                 SurfaceFacts* facts)
     : osg::NodeVisitor(osg::NodeVisitor::NODE_VISITOR, osg::NodeVisitor::TRAVERSE_ACTIVE_CHILDREN),
       _worldFromEye(worldFromEye),
       _stateSets(stateSets),
-      _states(1)
+      _states(1, CasterState(facts))
 {
     setTraversalMask(cv.getTraversalMask());
     setNodeMaskOverride(cv.getNodeMaskOverride());
@@ -121,12 +122,12 @@ void CasterCollector::apply(osg::Geometry& geometry)
 void CasterCollector::add(const osg::Geometry& geometry, const osg::Matrixd& eyeFromModel)
 {
     const CasterState& state = _states.back();
-    if (!state.casts() || !hasSurfaces(geometry)) return;
+    if (!state.casts(&geometry) || !hasSurfaces(geometry)) return;
     Caster caster{&geometry, eyeFromModel * _worldFromEye, nullptr,
                   geometry.getVertexArray() ? geometry.getVertexArray()->getModifiedCount() : 0};
-    if (state.perforated()) {
-        osg::ref_ptr<osg::StateSet>& shared = _stateSets[state.key()];
-        if (!shared) shared = state.makeStateSet();
+    if (state.perforated(geometry)) {
+        osg::ref_ptr<osg::StateSet>& shared = _stateSets[state.key(geometry)];
+        if (!shared) shared = state.makeStateSet(geometry);
         caster.state = shared;
     }
     _casters.push_back(caster);

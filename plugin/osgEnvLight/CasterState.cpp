@@ -15,30 +15,26 @@ void CasterState::merge(const osg::StateSet& s)
     if (!s.getTextureAttributeList().empty()) _textureMatrix.merge(s.getTextureAttributePair(0, osg::StateAttribute::TEXMAT));
 }
 
-bool CasterState::casts() const
-{
-    return depthTested() && (depthWritten() || blended());
-}
-
-unsigned CasterState::flags() const
+unsigned CasterState::flags(const osg::Geometry& geometry) const
 {
     unsigned bits = 0;
-    if (blended()) bits |= BLENDED;
-    if (replacedByTexture()) bits |= TEXTURE_REPLACES;
+    if (blended(&geometry)) bits |= BLENDED;
+    if (textureMode() == TEXTURE_REPLACES) bits |= TEXTURE_REPLACES_ALPHA;
     if (vertexColored()) bits |= COLORED_VERTICES;
     return bits;
 }
 
-CasterState::Key CasterState::key() const
+CasterState::Key CasterState::key(const osg::Geometry& geometry) const
 {
     const bool tested = _alphaTest.on;
-    return {texture(), texture() ? _textureMatrix.attribute : nullptr, tested ? _alphaFunction.attribute : nullptr, osgMaterial(),
-            flags()};
+    const osg::Texture* alpha = textureMode() == TEXTURE_DECAL ? nullptr : texture();  // a decal keeps the alpha below it
+    return {alpha, alpha ? _textureMatrix.attribute : nullptr, tested ? _alphaFunction.attribute : nullptr, osgMaterial(),
+            flags(geometry)};
 }
 
-osg::ref_ptr<osg::StateSet> CasterState::makeStateSet() const
+osg::ref_ptr<osg::StateSet> CasterState::makeStateSet(const osg::Geometry& geometry) const
 {
-    const auto [texture, matrix, alphaFunction, material, flags] = key();
+    const auto [texture, matrix, alphaFunction, material, flags] = key(geometry);
     const auto take = [](const osg::StateAttribute* a) { return const_cast<osg::StateAttribute*>(a); };
     osg::ref_ptr<osg::StateSet> s = new osg::StateSet;
     s->setDefine("CASTER_ALPHA");
@@ -51,7 +47,7 @@ osg::ref_ptr<osg::StateSet> CasterState::makeStateSet() const
     if (alphaFunction) s->setAttributeAndModes(take(alphaFunction));
     if (material) s->setAttribute(take(material));
     if (flags & BLENDED) s->setDefine("CASTER_BLENDED");
-    if (flags & TEXTURE_REPLACES) s->setDefine("TEXTURE_REPLACE");
+    if (flags & TEXTURE_REPLACES_ALPHA) s->setDefine("TEXTURE_REPLACE");
     if (flags & COLORED_VERTICES) s->setDefine("VERTEX_COLOR");
     return s;
 }

@@ -44,6 +44,7 @@ osg::StateSet& DeferredTechnique::passState(Cull& c, const std::string& name, co
     for (const std::string& d : inputs.defines) s.setDefine(d);
     s.setAttribute(_library->program("pass/fullscreen.vert", "pass/" + name + ".frag"), on);
     for (GLenum mode : {GLenum(GL_BLEND), GLenum(GL_CULL_FACE), GLenum(GL_LIGHTING), GLenum(GL_ALPHA_TEST)}) s.setMode(mode, off);
+    for (GLenum plane = GL_CLIP_PLANE0; plane < GL_CLIP_PLANE0 + 6; ++plane) s.setMode(plane, off);
     if (inputs.adds) s.setAttributeAndModes(new osg::BlendFunc(GL_ONE, GL_ONE), on);
     s.setAttribute(new osg::PolygonMode, on);
     const bool composite = name == "composite";
@@ -95,7 +96,7 @@ void DeferredTechnique::addPass(Cull& c, osgUtil::CullVisitor& cv, const std::st
 void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
 {
     if (c.rests()) return;
-    if (c.ownGBuffer) c.host.addPreRenderStage(c.frame.gbufferStage.get(), 0);
+    if (c.ownGBuffer) c.host.addPreRenderStage(c.frame.gbufferStage.get(), afterHosts);
     const Plan& plan = c.view.plan;
     MapTextures& textures = c.view.textures();
     // All targets first: a new one forgets the state sets that read its predecessor.

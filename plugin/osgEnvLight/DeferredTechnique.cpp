@@ -29,7 +29,8 @@ bool isDepthOnly(const osg::Camera* camera)
 
 }  // namespace
 
-DeferredTechnique::DeferredTechnique() : _sorter(new SurfaceSorter), _failure(new Failure), _settings(new Settings)
+DeferredTechnique::DeferredTechnique()
+    : _facts(new SurfaceFacts), _sorter(new SurfaceSorter(_facts.get())), _failure(new Failure), _settings(new Settings)
 {
     _library = new ShaderLibrary(_failure.get());
 }
@@ -66,12 +67,13 @@ try {
            osg::Matrixd::rotate(osg::DegreesToRadians(-degrees), 0, 0, 1),
            radianceScale,
            node.isTimed(),
-           !node.getGBuffer()};
+           !node.getGBuffer(),
+           textures->exposure()};
     const double radius = node.getBound().valid() ? double(node.getBound().radius()) : 0.0;
     const osg::Matrixd worldFromEye =
         host->getInitialViewMatrix() ? osg::Matrixd::inverse(*host->getInitialViewMatrix()) : osg::Matrixd();
     c.worldFromEye = worldFromEye;
-    c.frame.setUniforms(*settings, radius, radianceScale, *textures, worldFromEye * c.mapFromWorld);
+    c.frame.setUniforms(*settings, radius, radianceScale, *textures, worldFromEye * c.mapFromWorld, c.baseStops());
     const bool sunny = Plan::wantsSunShadows(*settings) && radianceScale > 0.0 && !textures->suns().empty();
     lock.unlock();
 
@@ -81,7 +83,7 @@ try {
     const bool shows = vd.plan.surfaces.deferred + vd.plan.surfaces.litForward > 0;
     const bool needed = settings->diffuse && radianceScale > 0.0 && shows;
     if ((needed && Plan::wantsAtlas(*settings)) || (sunny && shows))
-        c.casters = CasterCollector(cv, worldFromEye, vd.casterStates).collect(node);
+        c.casters = CasterCollector(cv, worldFromEye, vd.casterStates, _facts.get()).collect(node);
 
     lock.lock();
     const DiffuseCarrier carrier = needed ? textures->carrier() : DiffuseCarrier();
@@ -216,10 +218,14 @@ void DeferredTechnique::fillGBuffer(Cull& c, LitScene& node, osgUtil::CullVisito
         if (f.fillState != &state) {
             const osg::ref_ptr<osg::StateSet> own = new osg::StateSet(state);
             f.subpixel = new osg::Uniform("subpixel", osg::Vec2());
-            own->addUniform(f.subpixel);
+            f.materialColors = new osg::Uniform("materialColors", 0);
+            f.emittedStops = new osg::Uniform("emittedStops", 0.0f);
+            for (osg::Uniform* u : {f.subpixel.get(), f.materialColors.get(), f.emittedStops.get()}) own->addUniform(u);
             f.fill = new GBufferCallback(&c.gbuffer, own.get(), _sorter.get());
             f.fillState = &state;
         }
+        f.materialColors->set(c.settings.materialColors);
+        f.emittedStops->set(float(-c.baseStops()));
         if (!f.gbufferCamera || f.gbufferTimed != c.timed) {
             f.gbufferCamera = new StageCamera;
             f.gbufferTimed = c.timed;
@@ -251,6 +257,37 @@ void DeferredTechnique::fillGBuffer(Cull& c, LitScene& node, osgUtil::CullVisito
         cv.setCurrentRenderBin(hostBin);
     });
     cv.popViewport();
+    handOverCameras(c);
+}
+
+// What cameras below the node draw, before or after the host's own: as without us, and while the G-buffer stands still, too.
+void DeferredTechnique::handOverCameras(Cull& c)
+{
+    osgUtil::RenderStage& own = *c.frame.gbufferStage;
+    const auto adopt = [&](osgUtil::RenderStage& stage) {
+        SurfaceSorter::release(stage, *c.frame.fill->getStateSet());
+        const osg::Camera* camera = stage.getCamera();
+        if (!camera) return;
+        const auto inherits = [&](unsigned what) { return (camera->getInheritanceMask() & what) != 0; };
+        if (!camera->getViewport()) stage.setViewport(c.host.getViewport());
+        if (!camera->getColorMask()) stage.setColorMask(c.host.getColorMask());
+        if (inherits(osg::CullSettings::DRAW_BUFFER))
+            stage.setDrawBuffer(c.host.getDrawBuffer(), c.host.getDrawBufferApplyMask());
+        if (inherits(osg::CullSettings::READ_BUFFER))
+            stage.setReadBuffer(c.host.getReadBuffer(), c.host.getReadBufferApplyMask());
+        if (inherits(osg::CullSettings::CLEAR_MASK)) stage.setClearMask(c.host.getClearMask());
+        if (inherits(osg::CullSettings::CLEAR_COLOR)) stage.setClearColor(c.host.getClearColor());
+    };
+    for (auto& [order, stage] : own.getPreRenderList()) {
+        adopt(*stage);
+        c.host.addPreRenderStage(stage, order);
+    }
+    for (auto& [order, stage] : own.getPostRenderList()) {
+        adopt(*stage);
+        c.host.addPostRenderStage(stage, order);
+    }
+    own.getPreRenderList().clear();
+    own.getPostRenderList().clear();
 }
 
 void DeferredTechnique::reloadShaders()

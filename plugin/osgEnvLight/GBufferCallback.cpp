@@ -66,6 +66,8 @@ void GBufferCallback::setState(osg::StateSet& stateSet, osg::Program* program, o
     stateSet.setMode(GL_BLEND, osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE);
     stateSet.setAttribute(viewport);  // the host's own is re-applied with its state
     stateSet.addUniform(new osg::Uniform("baseColorMap", 0));
+    stateSet.addUniform(new osg::Uniform("materialColors", 0));
+    stateSet.addUniform(new osg::Uniform("emittedStops", 0.0f));
 }
 
 void GBufferCallback::attachTo(osg::Camera& camera)
@@ -95,8 +97,9 @@ void GBufferCallback::operator()(osg::Node* node, osg::NodeVisitor* nv)
         *cv, *cv->getCurrentRenderBin(), nullptr, [] { return nullptr; }, leftOut, [&] { traverse(node, nv); });
 }
 
-osgUtil::StateGraph& GBufferCallback::push(osgUtil::CullVisitor& cv)
+osgUtil::StateGraph& GBufferCallback::push(osgUtil::CullVisitor& cv, osg::ref_ptr<osg::RefMatrix>& projection)
 {
+    projection = cv.getProjectionMatrix();
     cv.pushStateSet(_stateSet.get());
     return *cv.getCurrentStateGraph();
 }

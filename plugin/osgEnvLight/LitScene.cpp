@@ -5,6 +5,7 @@
 
 #include <osgGA/EventVisitor>
 #include <osgUtil/CullVisitor>
+#include <osgUtil/GLObjectsVisitor>
 #include <osgViewer/View>
 
 namespace osgEnvLight
@@ -49,6 +50,7 @@ void LitScene::traverse(osg::NodeVisitor& nv)
         osgUtil::CullVisitor* cv = nv.asCullVisitor();
         if (cv && _technique->cull(*this, *cv)) return;
     }
+    if (dynamic_cast<osgUtil::GLObjectsVisitor*>(&nv)) _technique->lookBeforeUpload(*this);
     osg::Image* image = _map->getImage();
     const bool plays = image && image->requiresUpdateCall();
     if (nv.getVisitorType() == osg::NodeVisitor::EVENT_VISITOR) askForUpdates(plays);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgEnvLight/MapTextures>
 
+#include <osgEnvLight/Exposure>
 #include <osgEnvLight/SphericalHarmonics>
 
 #include <algorithm>
@@ -40,6 +41,7 @@ MapTextures::MapTextures(const RadianceMap* map, const Continuation& former) : M
     if (former.diffuseLights || _carrier.lights) diffuseLights();
     if (former.occlusionLights) occlusionList(former.occlusionLights);
     makeSunUniforms();
+    exposure();
 }
 
 MapTextures::MapTextures(const MapTextures& former) = default;
@@ -248,6 +250,12 @@ osg::Texture2D* MapTextures::occlusionLights(unsigned count)
     occlusionList(count);
     if (!_occlusionLights) _occlusionLights = lightTexture(_occlusion.lights(), 16, _scale);
     return _occlusionLights.get();
+}
+
+double MapTextures::exposure()
+{
+    if (!_exposure) _exposure = mapExposure(*_map);
+    return *_exposure;
 }
 
 void MapTextures::addSuns(osg::StateSet& state)

@@ -135,7 +135,7 @@ void Pass::add(osgUtil::RenderStage& host, osg::Camera& camera, osg::Viewport& v
         _stage->leaf->set(_drawable.get(), projection, modelView);
     _stage->addStateGraph(graph);
     graph->addLeaf(_stage->leaf.get());
-    host.addPreRenderStage(_stage.get(), 0);  // equal numbers keep the order of insertion
+    host.addPreRenderStage(_stage.get(), afterHosts);
 }
 
 }  // namespace osgEnvLight

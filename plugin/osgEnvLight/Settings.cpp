@@ -83,6 +83,9 @@ const std::vector<Settings::Property>& Settings::table()
         onOff("diffuse", &S::diffuse, "the term D: diffuse reflection of the map"),
         onOff("specular", &S::specular, "the term S: glossy reflection of the map"),
         onOff("occlusion", &S::occlusion, "the term O: what the scene itself keeps from D, with the shadows of the suns"),
+        choice("materialColors", &S::materialColors, {"srgb", "linear"},
+               "colours of osg::Material, of vertices and of unlit surfaces: display values, shown under the map's exposure as "
+               "typed, or scene-linear; colours of our own Material are always linear"),
         choice("lightSampler", &S::lightSampler, LightSampler::names(), "how the map is made into lights (LightSampler)"),
         choice("lightWeights", &S::lightWeights, {"auto", "off", "on"},
                "reweighting of the lights by the map's spherical harmonics; auto: after split and auto"),
@@ -157,9 +160,14 @@ const std::vector<Settings::Property>& Settings::table()
                "the picture, or one of its intermediates"),
         choice("output", &S::output, {"display", "linear"},
                "what the host receives: exposed, tone mapped and encoded for a display, or scene-linear radiance"),
-        real("exposure", &S::exposure, -32, 32, "stops", "radiance is multiplied by 2 to this power before the tone curve"),
-        choice("toneCurve", &S::toneCurve, {"clip", "reinhard", "neutral"},
-               "from radiance to the display's range: none, Reinhard 2002, Khronos PBR Neutral"),
+        choice("exposureBase", &S::exposureBase, {"map", "none"},
+               "what exposure adds to: stops that show a white surface at .63 in the middle between the map's mean and greatest "
+               "irradiance, or 0"),
+        real("exposure", &S::exposure, -32, 32, "stops",
+             "added to exposureBase; radiance is multiplied by 2 to this power before the tone curve"),
+        choice("toneCurve", &S::toneCurve, {"clip", "reinhard", "neutral", "shoulder"},
+               "from radiance to the display's range: none, Reinhard 2002, Khronos PBR Neutral, or that with only its highlights "
+               "bent"),
         onOff("dither", &S::dither, "ordered dither of half an 8-bit step against bands"),
     };
     return properties;

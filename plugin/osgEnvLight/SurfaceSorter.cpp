@@ -5,6 +5,7 @@
 #include <osgEnvLight/SurfaceState>
 
 #include <osg/Geometry>
+#include <osg/Notify>
 
 #include <iterator>
 #include <unordered_map>
@@ -15,10 +16,40 @@ namespace osgEnvLight
 namespace
 {
 
-bool lacksNormals(const osgUtil::RenderLeaf& leaf)
+bool lacksNormals(const osg::Geometry* geometry)
 {
-    const osg::Geometry* geometry = leaf._drawable ? leaf._drawable->asGeometry() : nullptr;
     return geometry && !geometry->getNormalArray();
+}
+
+const osg::Geometry* geometryOf(const osgUtil::RenderLeaf& leaf)
+{
+    return leaf._drawable ? leaf._drawable->asGeometry() : nullptr;
+}
+
+// The state sets from below the ancestor down to the graph, rooted at another one.
+osgUtil::StateGraph* transplanted(const osgUtil::StateGraph* graph, const osgUtil::StateGraph* ancestor,
+                                  osgUtil::StateGraph* root)
+{
+    std::vector<const osg::StateSet*> path;
+    for (const osgUtil::StateGraph* s = graph; s != ancestor; s = s->_parent) path.push_back(s->getStateSet());
+    for (auto s = path.rbegin(); s != path.rend(); ++s) root = root->find_or_insert(*s);
+    return root;
+}
+
+void releaseBin(osgUtil::RenderBin& bin, const osg::StateSet& ours)
+{
+    osgUtil::RenderBin::StateGraphList released;
+    for (osgUtil::StateGraph* graph : bin.getStateGraphList()) {
+        osgUtil::StateGraph* own = graph;
+        while (own && own->getStateSet() != &ours) own = own->_parent;
+        osgUtil::StateGraph* target = own && own->_parent ? transplanted(graph, own, own->_parent) : graph;
+        released.push_back(target);
+        if (target == graph) continue;
+        for (auto& leaf : graph->_leaves) target->addLeaf(leaf.get());
+        graph->_leaves.clear();
+    }
+    bin.getStateGraphList().swap(released);
+    for (auto& [number, child] : bin.getRenderBinList()) releaseBin(*child, ours);
 }
 
 }  // namespace
@@ -27,28 +58,28 @@ bool lacksNormals(const osgUtil::RenderLeaf& leaf)
 class SurfaceSort
 {
   public:
-    SurfaceSort(SurfaceSorter& sorter, osgUtil::StateGraph& top, const SurfaceSorter::LitState& lit,
-                std::vector<ForwardGraph>& moved)
-        : _sorter(sorter), _top(top), _lit(lit), _moved(moved)
+    SurfaceSort(SurfaceSorter& sorter, const SurfaceSorter::Places& places, const SurfaceSorter::LitState& lit)
+        : _sorter(sorter), _places(places), _top(places.top), _lit(lit)
     {
     }
 
-    void sortBin(osgUtil::RenderBin& from, osgUtil::RenderBin* to, bool allForward)
+    void sortBin(osgUtil::RenderBin& from, osgUtil::RenderBin* to, bool sorted)
     {
         osgUtil::RenderBin::StateGraphList& list = from.getStateGraphList();
         osgUtil::RenderBin::StateGraphList kept;
         for (osgUtil::StateGraph* sg : list) {
             const SurfaceState& state = effective(sg);
-            if (allForward || state.drawnForward())
-                moveForward(sg, state, to);
-            else
-                keep(sg, state, kept);
+            const bool blends = sorted && state.blending();
+            const unsigned bits = variantBits(state);
+            if (const char* what = state.ignored()) _sorter.say(what, "not drawn", nullptr);
+            for (auto& leaf : sg->_leaves) place(*leaf, sg, state, bits, blends, kept, to);
+            sg->_leaves.clear();
         }
         list.swap(kept);
         for (auto& [number, bin] : from.getRenderBinList()) {
-            const bool sorted = bin->getSortMode() == osgUtil::RenderBin::SORT_BACK_TO_FRONT;
-            osgUtil::RenderBin* target = to ? to->find_or_insert(number, sorted ? "DepthSortedBin" : "RenderBin") : nullptr;
-            sortBin(*bin, target, allForward || sorted);
+            const bool backToFront = bin->getSortMode() == osgUtil::RenderBin::SORT_BACK_TO_FRONT;
+            osgUtil::RenderBin* target = to ? to->find_or_insert(number, backToFront ? "DepthSortedBin" : "RenderBin") : nullptr;
+            sortBin(*bin, target, sorted || backToFront);
         }
     }
 
@@ -59,77 +90,94 @@ class SurfaceSort
     {
         auto found = _states.find(sg);
         if (found != _states.end()) return found->second;
-        SurfaceState state;
+        SurfaceState state(&_sorter.facts());
         if (sg->_parent) state = effective(sg->_parent);
         if (sg == &_top)
-            state.forgetProgram();  // a program above us does not matter, and neither does our blending off
+            state.enterNode();  // what our own state set says does not count
         else if (sg->getStateSet())
             state.merge(*sg->getStateSet());
         return _states.emplace(sg, state).first->second;
     }
 
-    unsigned variantBits(const SurfaceState& state) const
+    static unsigned textureBits(const SurfaceState& state)
     {
-        unsigned bits = 0;
-        if (!state.texture()) bits |= SurfaceSorter::NO_TEXTURE;
-        if (state.linearTexture()) bits |= SurfaceSorter::LINEAR_TEXTURE;
-        if (state.replacedByTexture()) bits |= SurfaceSorter::TEXTURE_REPLACE;
-        if (state.unlit()) bits |= SurfaceSorter::UNLIT;
-        if (state.vertexColored()) bits |= SurfaceSorter::VERTEX_COLOR;
-        if (state.phongMaterial()) bits |= SurfaceSorter::PHONG_MATERIAL;
-        if (state.brdf() >= 0) bits |= unsigned(SurfaceSorter::ENVLIGHT_LAMBERT) << state.brdf();
+        using S = SurfaceSorter;
+        if (!state.texture()) return S::NO_TEXTURE;
+        static const unsigned modes[] = {0, S::TEXTURE_REPLACE, S::TEXTURE_DECAL, S::TEXTURE_BLEND, S::TEXTURE_ADD};
+        static const unsigned coordinates[] = {0, S::TEXGEN_OBJECT, S::TEXGEN_EYE};
+        unsigned bits = modes[state.textureMode()] | coordinates[state.coordinates()];
+        if (state.coordinates() != SurfaceState::FROM_VERTICES && state.projected()) bits |= S::TEXGEN_PROJECTED;
+        const TextureFacts facts = state.textureFacts();
+        return bits | (facts.linear ? S::LINEAR_TEXTURE : 0u) | (facts.alphaOnly ? S::ALPHA_TEXTURE : 0u);
+    }
+
+    static unsigned variantBits(const SurfaceState& state)
+    {
+        using S = SurfaceSorter;
+        unsigned bits = textureBits(state);
+        if (state.paintedReflection()) bits |= S::PAINTED_REFLECTION;
+        if (state.unlit()) bits |= S::UNLIT;
+        if (state.vertexColored()) bits |= S::VERTEX_COLOR;
+        if (state.phongMaterial()) bits |= S::PHONG_MATERIAL;
+        if (state.twoSided()) bits |= S::TWO_SIDED;
+        if (state.brdf() >= 0) bits |= unsigned(S::ENVLIGHT_LAMBERT) << state.brdf();
         return bits;
     }
 
-    // Each leaf one level down, under the variant that reads its state.
-    void keep(osgUtil::StateGraph* sg, const SurfaceState& state, osgUtil::RenderBin::StateGraphList& kept)
+    void place(osgUtil::RenderLeaf& leaf, osgUtil::StateGraph* sg, const SurfaceState& state, unsigned bits, bool blends,
+               osgUtil::RenderBin::StateGraphList& kept, osgUtil::RenderBin* to)
     {
-        const unsigned bits = variantBits(state);
+        const osg::Geometry* geometry = geometryOf(leaf);
+        const unsigned all = bits | (lacksNormals(geometry) ? unsigned(SurfaceSorter::FACE_NORMAL) : 0u);
+        const bool foreign = leaf._projection.get() != _places.projection;
+        if (foreign || blends || state.drawnForward(geometry))
+            moveForward(leaf, sg, all, !foreign && state.litForward(geometry), to);
+        else
+            keep(leaf, sg, state, all, kept);
+        if (const char* what = foreign ? nullptr : state.unsupported(geometry))
+            _sorter.say(what, "drawn as without the node, not lit by the environment", leaf._drawable);
+    }
+
+    // One level down, under the variant that reads its state.
+    void keep(osgUtil::RenderLeaf& leaf, osgUtil::StateGraph* sg, const SurfaceState& state, unsigned bits,
+              osgUtil::RenderBin::StateGraphList& kept)
+    {
         if ((bits & SurfaceSorter::PHONG_MATERIAL) || state.brdf() == Material::PHONG) kinds.phong = true;
-        if (state.brdf() == Material::COOK_TORRANCE) kinds.cookTorrance = true;
-        kinds.deferred += unsigned(sg->_leaves.size());
-        for (auto& leaf : sg->_leaves) {
-            const unsigned faceNormal = lacksNormals(*leaf) ? unsigned(SurfaceSorter::FACE_NORMAL) : 0u;
-            osgUtil::StateGraph* n = sg->find_or_insert(_sorter.variant(bits | faceNormal));
-            if (n->leaves_empty()) kept.push_back(n);
-            n->addLeaf(leaf.get());
-        }
-        sg->_leaves.clear();
+        const bool metal = (bits & SurfaceSorter::PAINTED_REFLECTION) && state.brdf() < 0;
+        if (metal || state.brdf() == Material::COOK_TORRANCE) kinds.cookTorrance = true;
+        ++kinds.deferred;
+        osgUtil::StateGraph* n = sg->find_or_insert(_sorter.variant(bits));
+        if (n->leaves_empty()) kept.push_back(n);
+        n->addLeaf(&leaf);
     }
 
     // The same path, rooted beside our state set instead of below it, and below the forward one where that lights it.
-    void moveForward(osgUtil::StateGraph* sg, const SurfaceState& state, osgUtil::RenderBin* to)
+    void moveForward(osgUtil::RenderLeaf& leaf, osgUtil::StateGraph* sg, unsigned bits, bool isLit, osgUtil::RenderBin* to)
     {
-        kinds.forward += unsigned(sg->_leaves.size());
-        const osg::StateSet* lit = to && state.litForward() ? _lit() : nullptr;
-        if (lit) kinds.litForward += unsigned(sg->_leaves.size());
-        std::vector<const osg::StateSet*> path;
-        for (osgUtil::StateGraph* s = sg; s != &_top; s = s->_parent) path.push_back(s->getStateSet());
-        osgUtil::StateGraph* base = lit ? _top._parent->find_or_insert(lit) : _top._parent;
-        for (auto s = path.rbegin(); s != path.rend(); ++s) base = base->find_or_insert(*s);
-        const unsigned bits = variantBits(state);
-        for (auto& leaf : sg->_leaves) {
-            if (!to) continue;
-            const unsigned faceNormal = lacksNormals(*leaf) ? unsigned(SurfaceSorter::FACE_NORMAL) : 0u;
-            osgUtil::StateGraph* n = lit ? base->find_or_insert(_sorter.variant(bits | faceNormal)) : base;
-            if (n->leaves_empty()) _moved.push_back({to, n});
-            n->addLeaf(leaf.get());
-        }
-        sg->_leaves.clear();
+        ++kinds.forward;
+        if (!to) return;
+        const osg::StateSet* lit = isLit ? _lit() : nullptr;
+        if (lit) ++kinds.litForward;
+        osgUtil::StateGraph* n = transplanted(sg, &_top, lit ? _top._parent->find_or_insert(lit) : _top._parent);
+        if (lit) n = n->find_or_insert(_sorter.variant(bits));
+        if (n->leaves_empty()) _places.moved.push_back({to, n});
+        n->addLeaf(&leaf);
     }
 
     SurfaceSorter& _sorter;
+    const SurfaceSorter::Places& _places;
     osgUtil::StateGraph& _top;
     const SurfaceSorter::LitState& _lit;
-    std::vector<ForwardGraph>& _moved;
-    std::unordered_map<osgUtil::StateGraph*, SurfaceState> _states;
+    std::unordered_map<const osgUtil::StateGraph*, SurfaceState> _states;
 };
 
 const osg::StateSet* SurfaceSorter::variant(unsigned bits)
 {
-    static const char* const defines[] = {"NO_TEXTURE",     "LINEAR_TEXTURE",        "TEXTURE_REPLACE", "UNLIT",
-                                          "VERTEX_COLOR",   "FACE_NORMAL",           "PHONG_MATERIAL",  "ENVLIGHT_LAMBERT",
-                                          "ENVLIGHT_PHONG", "ENVLIGHT_COOK_TORRANCE"};
+    static const char* const defines[] = {"NO_TEXTURE",       "LINEAR_TEXTURE",   "TEXTURE_REPLACE",       "TEXTURE_DECAL",
+                                          "TEXTURE_BLEND",    "TEXTURE_ADD",      "ALPHA_TEXTURE",         "TEXGEN_OBJECT",
+                                          "TEXGEN_EYE",       "TEXGEN_PROJECTED", "PAINTED_REFLECTION",    "UNLIT",
+                                          "VERTEX_COLOR",     "FACE_NORMAL",      "PHONG_MATERIAL",        "TWO_SIDED",
+                                          "ENVLIGHT_LAMBERT", "ENVLIGHT_PHONG",   "ENVLIGHT_COOK_TORRANCE"};
     std::lock_guard<std::mutex> lock(_mutex);
     osg::ref_ptr<osg::StateSet>& stateSet = _variants[bits];
     if (!stateSet) {
@@ -140,12 +188,30 @@ const osg::StateSet* SurfaceSorter::variant(unsigned bits)
     return stateSet.get();
 }
 
-SurfaceKinds SurfaceSorter::sort(osgUtil::RenderBin& gbuffer, osgUtil::RenderBin* forward, osgUtil::StateGraph& top,
-                                 const LitState& lit, std::vector<ForwardGraph>& moved)
+void SurfaceSorter::say(const char* what, const char* how, const osg::Drawable* drawable)
 {
-    SurfaceSort sort(*this, top, lit, moved);
-    sort.sortBin(gbuffer, forward, false);
+    {
+        std::lock_guard<std::mutex> lock(_mutex);
+        if (!_said.insert(what).second) return;
+    }
+    std::string first;
+    if (drawable && drawable->getNumParents() > 0 && drawable->getName().empty()) first = drawable->getParent(0)->getName();
+    if (drawable && first.empty()) first = drawable->getName();
+    OSG_NOTICE << "osgEnvLight: " << what << ": " << how << (first.empty() ? "" : " (first '" + first + "')") << std::endl;
+}
+
+SurfaceKinds SurfaceSorter::sort(const Places& places, const LitState& lit)
+{
+    SurfaceSort sort(*this, places, lit);
+    sort.sortBin(places.gbuffer, places.forward, false);
     return sort.kinds;
+}
+
+void SurfaceSorter::release(osgUtil::RenderStage& stage, const osg::StateSet& ours)
+{
+    releaseBin(stage, ours);
+    for (auto& [order, before] : stage.getPreRenderList()) release(*before, ours);
+    for (auto& [order, after] : stage.getPostRenderList()) release(*after, ours);
 }
 
 }  // namespace osgEnvLight

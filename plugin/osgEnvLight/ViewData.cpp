@@ -40,6 +40,8 @@ Frame::Frame()
       uniforms(new osg::StateSet),
       _sceneRadius(new osg::Uniform("sceneRadius", 0.0f)),
       _radianceScale(new osg::Uniform("radianceScale", 0.0f)),
+      _baseStops(new osg::Uniform("baseStops", 0.0f)),
+      _emittedStops(new osg::Uniform("emittedStops", 0.0f)),
       _pyramidSide(new osg::Uniform("pyramidSide", 0.0f)),
       _pyramidLastLevel(new osg::Uniform("pyramidLastLevel", 0.0f)),
       _mapFromEye(new osg::Uniform(osg::Uniform::FLOAT_MAT3, "mapFromEyeForward")),
@@ -55,14 +57,14 @@ Frame::Frame()
         _settings.push_back(new osg::Uniform(real ? osg::Uniform::FLOAT : osg::Uniform::INT, p.name));
         uniforms->addUniform(_settings.back());
     }
-    for (osg::Uniform* u : {_sceneRadius.get(), _radianceScale.get(), _pyramidSide.get(), _pyramidLastLevel.get(),
-                            _mapFromEye.get(), _sampleShift.get(), _sampleFrames.get(), _frameWeight.get(),
-                            _accumulatedWeight.get(), _accumulatedShare.get(), _accumulatedFrames.get()})
+    for (osg::Uniform* u : {_sceneRadius.get(), _radianceScale.get(), _baseStops.get(), _emittedStops.get(), _pyramidSide.get(),
+                            _pyramidLastLevel.get(), _mapFromEye.get(), _sampleShift.get(), _sampleFrames.get(),
+                            _frameWeight.get(), _accumulatedWeight.get(), _accumulatedShare.get(), _accumulatedFrames.get()})
         uniforms->addUniform(u);
 }
 
 void Frame::setUniforms(const Settings& settings, double sceneRadius, double radianceScale, const MapTextures& textures,
-                        const osg::Matrixd& mapFromEye)
+                        const osg::Matrixd& mapFromEye, double baseStops)
 {
     const auto& table = Settings::table();
     for (size_t i = 0; i < table.size(); ++i) {
@@ -74,6 +76,8 @@ void Frame::setUniforms(const Settings& settings, double sceneRadius, double rad
     }
     _sceneRadius->set(float(sceneRadius));
     _radianceScale->set(float(radianceScale));
+    _baseStops->set(float(baseStops));
+    _emittedStops->set(float(-baseStops));
     _pyramidSide->set(float(textures.pyramidSide()));
     _pyramidLastLevel->set(float(textures.pyramidLastLevel()));
     osg::Matrix3 m;

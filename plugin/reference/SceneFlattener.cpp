@@ -38,8 +38,8 @@ class ImmediatePager : public osg::NodeVisitor::DatabaseRequestHandler
 class Flattener
 {
   public:
-    Flattener(osg::Node& scene, osg::Camera& camera, const osg::FrameStamp* frame)
-        : _scene(scene), _camera(camera), _frame(frame ? frame : new osg::FrameStamp)
+    Flattener(osg::Node& scene, osg::Camera& camera, const osg::FrameStamp* frame, bool linearColors)
+        : _scene(scene), _camera(camera), _frame(frame ? frame : new osg::FrameStamp), _linearColors(linearColors)
     {
     }
 
@@ -143,7 +143,7 @@ class Flattener
         const SceneState& state = effective(leaf._parent);
         std::set<std::string> leftOut;
         TriangleMesh mesh;
-        mesh.material = state.material(_textures, leftOut);
+        mesh.material = state.material(*geometry, _linearColors, _textures, leftOut);
         if (geometry->getDrawCallback()) leftOut.insert("draw callbacks");
         if (!appendTriangles(*geometry, worldFromModel(leaf), state.textureMatrix(), _result.origin, mesh, _result))
             leftOut.insert("points and lines");
@@ -154,6 +154,7 @@ class Flattener
     osg::Node& _scene;
     osg::Camera& _camera;
     osg::ref_ptr<const osg::FrameStamp> _frame;
+    const bool _linearColors;
     osg::ref_ptr<osgUtil::CullVisitor> _visitor;
     osg::ref_ptr<osgUtil::StateGraph> _root;
     osg::ref_ptr<osgUtil::RenderStage> _stage;
@@ -167,9 +168,9 @@ class Flattener
 
 }  // namespace
 
-TriangleScene flattenScene(osg::Node& scene, osg::Camera& camera, const osg::FrameStamp* frame)
+TriangleScene flattenScene(osg::Node& scene, osg::Camera& camera, const osg::FrameStamp* frame, bool linearColors)
 {
-    return Flattener(scene, camera, frame).flatten();
+    return Flattener(scene, camera, frame, linearColors).flatten();
 }
 
 }  // namespace osgEnvLight

@@ -12,6 +12,8 @@
 
 #include <algorithm>
 
+#include "glsl.h"
+
 namespace osgEnvLight
 {
 
@@ -86,23 +88,23 @@ T SceneState::uniform(const char* name, T value) const
     return value;
 }
 
-SurfaceMaterial SceneState::material(TextureCache& textures, std::set<std::string>& leftOut) const
+void SceneState::setHostMaterial(SurfaceMaterial& m, bool linearColors) const
 {
-    SurfaceMaterial m;
-    m.brdf = std::max(brdf(), 0);
-    m.unlit = unlit();
-    m.vertexColored = vertexColored();
-    if (const osg::Material* material = osgMaterial()) {
-        const osg::Vec4 diffuse = material->getDiffuse(osg::Material::FRONT);
-        m.color = glm::dvec4(rgb(diffuse), diffuse.a());
-        m.emission = rgb(material->getEmission(osg::Material::FRONT));
-        if (phongMaterial()) {
-            m.brdf = Material::PHONG;
-            m.limited = true;
-            m.specular = rgb(material->getSpecular(osg::Material::FRONT));
-            m.exponent = double(material->getShininess(osg::Material::FRONT));
-        }
-    }
+    const osg::Material* material = osgMaterial();
+    if (!material) return;
+    const osg::Vec4 diffuse = material->getDiffuse(osg::Material::FRONT);
+    const auto decoded = [&](const glm::dvec3& c) { return linearColors ? c : glm::dvec3(glsl::srgbDecode3(c)); };
+    m.color = glm::dvec4(rgb(diffuse), diffuse.a());
+    m.emission = decoded(rgb(material->getEmission(osg::Material::FRONT)));
+    if (!phongMaterial()) return;
+    m.brdf = Material::PHONG;
+    m.limited = true;
+    m.specular = decoded(rgb(material->getSpecular(osg::Material::FRONT)));
+    m.exponent = double(material->getShininess(osg::Material::FRONT));
+}
+
+void SceneState::setOwnMaterial(SurfaceMaterial& m) const
+{
     if (brdf() == Material::COOK_TORRANCE) {
         m.color = glm::dvec4(rgb(uniform("envlightBaseColor", osg::Vec3f())), m.color.a);
         m.metalness = double(uniform("envlightMetalness", 0.0f));
@@ -114,19 +116,41 @@ SurfaceMaterial SceneState::material(TextureCache& textures, std::set<std::strin
             m.exponent = double(uniform("envlightExponent", 0.0f));
         }
     }
-    if (const osg::Texture* t = texture()) {
-        std::string reason;
-        m.texture = textures.get(*t, linearTexture(), reason);
-        if (!m.texture) leftOut.insert("textures, " + reason);
-        m.replacedByTexture = m.texture && replacedByTexture();
-    }
+}
+
+void SceneState::setTexture(SurfaceMaterial& m, TextureCache& textures, std::set<std::string>& leftOut) const
+{
+    const osg::Texture* t = texture();
+    if (!t) return;
+    std::string reason;
+    m.texture = textures.get(*t, textureFacts().linear, reason);
+    if (!m.texture) leftOut.insert("textures, " + reason);
+    m.replacedByTexture = m.texture && textureMode() == TEXTURE_REPLACES;
+    if (textureMode() == TEXTURE_DECAL || textureMode() == TEXTURE_BLENDS || textureMode() == TEXTURE_ADDS)
+        leftOut.insert("texture environments other than modulate and replace: taken as modulate");
+    if (coordinates() != FROM_VERTICES) leftOut.insert("generated texture coordinates: the vertices' own are taken");
+}
+
+SurfaceMaterial SceneState::material(const osg::Geometry& geometry, bool linearColors, TextureCache& textures,
+                                     std::set<std::string>& leftOut) const
+{
+    SurfaceMaterial m;
+    m.brdf = std::max(brdf(), 0);
+    m.encoded = brdf() < 0 && !linearColors;
+    m.unlit = unlit();
+    m.vertexColored = vertexColored();
+    setHostMaterial(m, linearColors);
+    setOwnMaterial(m);
+    setTexture(m, textures, leftOut);
+    if (const char* what = unsupported(&geometry)) leftOut.insert(std::string(what) + ": lit as if they were not there");
+    if (paintedReflection()) leftOut.insert("painted reflections: their surfaces have the material without");
     if (_alphaTest.on && _alphaFunction.attribute) {
         const auto& f = static_cast<const osg::AlphaFunc&>(*_alphaFunction.attribute);
         m.alphaTest = f.getFunction() != osg::AlphaFunc::ALWAYS;
         m.alphaFunction = GLenum(f.getFunction());
         m.alphaReference = double(f.getReferenceValue());
     }
-    m.blended = blended();
+    m.blended = blended(&geometry);
     if (m.blended && _blendFunction.attribute) {
         const auto& f = static_cast<const osg::BlendFunc&>(*_blendFunction.attribute);
         if (f.getSource() != osg::BlendFunc::SRC_ALPHA || f.getDestination() != osg::BlendFunc::ONE_MINUS_SRC_ALPHA)

@@ -31,11 +31,17 @@ class SceneState : public SurfaceState
   public:
     void merge(const osg::StateSet& stateSet);
 
-    /** @param leftOut  receives what the material lacks against the picture */
-    SurfaceMaterial material(TextureCache& textures, std::set<std::string>& leftOut) const;
+    /** Of a drawable.
+     * @param linearColors  the host's colours are linear, not sRGB encoded
+     * @param leftOut       receives what the material lacks against the picture */
+    SurfaceMaterial material(const osg::Geometry& geometry, bool linearColors, TextureCache& textures,
+                             std::set<std::string>& leftOut) const;
     osg::Matrixd textureMatrix() const;
 
   private:
+    void setHostMaterial(SurfaceMaterial& m, bool linearColors) const;
+    void setOwnMaterial(SurfaceMaterial& m) const;
+    void setTexture(SurfaceMaterial& m, TextureCache& textures, std::set<std::string>& leftOut) const;
     template <class T>
     T uniform(const char* name, T value) const;
 

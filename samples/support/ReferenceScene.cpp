@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ReferenceScene.h"
 
+#include <osgEnvLight/Exposure>
+
 #include <metrics/Display>
 
 #include <osgUtil/UpdateVisitor>
@@ -45,7 +47,8 @@ ReferenceScene::ReferenceScene(osgEnvLight::LitScene& lit, const SceneOptions& o
         update.setTraversalNumber(i);
         lit.accept(update);
     }
-    _triangles = osgEnvLight::flattenScene(lit, camera, frame);
+    const bool linearColors = lit.getSettings()->materialColors == osgEnvLight::Settings::COLORS_LINEAR;
+    _triangles = osgEnvLight::flattenScene(lit, camera, frame, linearColors);
     _rays = std::make_unique<osgEnvLight::RayScene>(_triangles);
     _camera = std::make_unique<osgEnvLight::RayCamera>(camera, lit.getBound());
     const osgEnvLight::EnvironmentMap& map = *lit.getEnvironmentMap();
@@ -89,13 +92,16 @@ void ReferenceScene::encodeNormal(float* normal) const
 osg::ref_ptr<osg::Image> ReferenceScene::displayed(const osgEnvLight::Picture& picture) const
 {
     const osgEnvLight::Settings& s = *_lit.getSettings();
+    const bool follows = s.exposureBase == osgEnvLight::Settings::EXPOSURE_MAP;
+    const double stops = double(s.exposure) + (follows ? osgEnvLight::mapExposure(*radianceOf(_lit)) : 0.0);
     osgEnvLight::Picture encoded = picture;
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x) {
-            const osg::Vec3d color = picture.color(x, y) * std::exp2(double(s.exposure));
+            const osg::Vec3d color = picture.color(x, y) * std::exp2(stops);
             glsl::vec3 c = glsl::max(glsl::vec3(color.x(), color.y(), color.z()), 0.0);
             if (s.toneCurve == osgEnvLight::Settings::REINHARD) c = glsl::toneReinhard(c);
             if (s.toneCurve == osgEnvLight::Settings::NEUTRAL) c = glsl::toneNeutral(c);
+            if (s.toneCurve == osgEnvLight::Settings::SHOULDER) c = glsl::toneShoulder(c);
             c = glsl::srgbEncode3(glsl::clamp(c, 0.0, 1.0));
             for (int k = 0; k < 3; ++k) encoded.at(x, y)[k] = float(c[k]);
         }

@@ -14,19 +14,24 @@ vec3 toneReinhard(vec3 c)
     return c / (1.0 + luminance(c));
 }
 
-// Khronos PBR Neutral 2024: colours below .76 pass with only the 4 % of Fresnel taken off, highlights bend to white.
-vec3 toneNeutral(vec3 c)
+// Colours below .76 as they are, highlights bent to white: Khronos PBR Neutral's shoulder without its toe.
+vec3 toneShoulder(vec3 c)
 {
     float start = 0.76;
-    float x = min(c.x, min(c.y, c.z));
-    float offset = x < 0.08 ? x - 6.25 * x * x : 0.04;
-    vec3 d = c - offset;
-    float peak = max(d.x, max(d.y, d.z));
-    if (peak < start) return d;
+    float peak = max(c.x, max(c.y, c.z));
+    if (peak < start) return c;
     float room = 1.0 - start;
     float newPeak = 1.0 - room * room / (peak + room - start);
     float white = 1.0 - 1.0 / (0.15 * (peak - newPeak) + 1.0);
-    return mix(d * (newPeak / peak), vec3(newPeak), white);
+    return mix(c * (newPeak / peak), vec3(newPeak), white);
+}
+
+// Khronos PBR Neutral 2024: the 4 % of Fresnel that every glossy surface adds to its colour are taken off before.
+vec3 toneNeutral(vec3 c)
+{
+    float x = min(c.x, min(c.y, c.z));
+    float offset = x < 0.08 ? x - 6.25 * x * x : 0.04;
+    return toneShoulder(c - offset);
 }
 
 // IEC 61966-2-1, one channel, and back.

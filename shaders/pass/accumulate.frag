@@ -93,7 +93,7 @@ vec3 surface(ivec2 p)
     vec3 rho = texelFetch(albedoMap, p, 0).rgb * texelFetch(diffuseTermMap, p, 0).a * (INV_PI * radianceScale);
     vec3 diffuse = rho * num + ambientVisibility(p) * (diffuseTerm(p) + sunDiffuse(p) - rho * den);
     vec3 specular = specularTerm(p) - lobe.share * kept * radianceScale;
-    return texelFetch(emissionMap, p, 0).rgb + diffuse + specular + bounce(p);
+    return emitted(p) + diffuse + specular + bounce(p);
 }
 
 void main()

@@ -6,8 +6,6 @@
 #include "pass/gbuffer.glsl"
 #include "pass/terms.glsl"
 
-uniform sampler2D emissionMap;
-
 // Sums over the pixels, by weight: of radiance and 1; these times the normal's x, y, z; of the albedo of what is blocked.
 layout(location = 0) out vec4 plain;
 layout(location = 1) out vec4 alongX;
@@ -32,7 +30,7 @@ void main()
             if (isBackground(p)) continue;
             float blocked = 1.0 - ambientVisibility(p);
             float weight = blocked + 0.05;
-            vec3 radiance = texelFetch(emissionMap, p, 0).rgb + sunShaded(p) + occludedDiffuse(p);
+            vec3 radiance = emitted(p) + sunShaded(p) + occludedDiffuse(p);
             vec4 r = weight * vec4(radiance, 1.0);
             vec3 n = pixelNormal(p);
             plain += r;

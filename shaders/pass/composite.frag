@@ -64,7 +64,7 @@ vec3 termView(ivec2 p, vec3 d, float pixel)
     if (view == VIEW_ALBEDO) return texelFetch(albedoMap, p, 0).rgb;
     if (view == VIEW_NORMAL) return 0.5 * (mapFromEye * pixelNormal(p)) + 0.5;
     if (view == VIEW_DEPTH) return vec3(-pixelEye(p).z / (4.0 * sceneRadius));
-    if (view == VIEW_EMISSION) return texelFetch(emissionMap, p, 0).rgb;
+    if (view == VIEW_EMISSION) return emitted(p);
 #if defined(HAS_OCCLUSION) || defined(HAS_SUN_SHADOWS)
     if (view == VIEW_VISIBILITY) {
         vec3 all = diffuseTerm(p) + sunDiffuse(p);

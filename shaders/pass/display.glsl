@@ -10,9 +10,11 @@
 #define TONE_CLIP 0
 #define TONE_REINHARD 1
 #define TONE_NEUTRAL 2
+#define TONE_SHOULDER 3
 
 uniform int toneCurve;
-uniform float exposure; // stops
+uniform float baseStops; // what the map is shown at, by exposureBase
+uniform float exposure;  // stops
 uniform int dither;
 
 vec3 display(vec3 radiance, ivec2 p)
@@ -20,10 +22,11 @@ vec3 display(vec3 radiance, ivec2 p)
 #ifdef OUTPUT_LINEAR
     return radiance;
 #else
-    vec3 c = max(radiance, vec3(0.0)) * exp2(exposure);
+    vec3 c = max(radiance, vec3(0.0)) * exp2(baseStops + exposure);
     c = min(c, vec3(1e30)); // Inf / Inf
     if (toneCurve == TONE_REINHARD) c = toneReinhard(c);
     if (toneCurve == TONE_NEUTRAL) c = toneNeutral(c);
+    if (toneCurve == TONE_SHOULDER) c = toneShoulder(c);
     c = srgbEncode3(clamp(c, 0.0, 1.0));
     if (dither != 0) c += (float(bayer4(p.x, p.y)) - 7.5) / (16.0 * 255.0);
     return c;

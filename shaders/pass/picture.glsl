@@ -11,7 +11,6 @@
 #include "pass/meanradiance.glsl"
 #include "pass/terms.glsl"
 
-uniform sampler2D emissionMap;
 uniform sampler2D specularTermMap;
 uniform sampler2D blockedLobeMap;
 uniform sampler2D latlongMap;
@@ -58,7 +57,7 @@ vec3 bounce(ivec2 p)
 
 vec3 surfaceRadiance(ivec2 p)
 {
-    return texelFetch(emissionMap, p, 0).rgb + specularTerm(p) + sunShaded(p) + occludedDiffuse(p) + bounce(p);
+    return emitted(p) + specularTerm(p) + sunShaded(p) + occludedDiffuse(p) + bounce(p);
 }
 
 // Alpha: 1 where there is a surface. d: in the map's frame.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What the host's fixed-function state, or our Material, says of the surface at this fragment. Colours given as numbers
-// are linear; colours in 8-bit images are sRGB encoded.
+// What the host's fixed-function state, or our Material, says of the surface at this fragment. Colours of the host's materials
+// and vertices, and of images without floats, are sRGB encoded; those of our Material are linear.
 #ifndef SURFACE_GLSL
 #define SURFACE_GLSL
-#pragma import_defines(ENVLIGHT_COOK_TORRANCE, ENVLIGHT_LAMBERT, ENVLIGHT_PHONG, FACE_NORMAL, VERTEX_COLOR, UNLIT, NO_TEXTURE, LINEAR_TEXTURE, TEXTURE_REPLACE, PHONG_MATERIAL)
+#pragma import_defines(ENVLIGHT_COOK_TORRANCE, ENVLIGHT_LAMBERT, ENVLIGHT_PHONG, FACE_NORMAL, VERTEX_COLOR, UNLIT, NO_TEXTURE, LINEAR_TEXTURE, ALPHA_TEXTURE, TEXTURE_REPLACE, TEXTURE_DECAL, TEXTURE_BLEND, TEXTURE_ADD, PAINTED_REFLECTION, PHONG_MATERIAL, TWO_SIDED)
 
 #include "lib/depth.glsl"
 #include "lib/phong.glsl"
@@ -11,6 +11,8 @@
 #include "pass/brdf.glsl"
 
 uniform sampler2D baseColorMap;
+uniform int materialColors;  // 0: sRGB encoded
+uniform float emittedStops;  // against the map's exposure: what emits is shown as it was typed
 
 #ifdef ENVLIGHT_COOK_TORRANCE
 uniform vec3 envlightBaseColor;
@@ -28,7 +30,7 @@ uniform float envlightExponent;
 in vec3 eyePosition;
 in vec3 eyeNormal;
 in vec4 vertexColor;
-in vec2 textureCoordinate;
+in vec3 textureCoordinate;  // s, t, q
 
 struct Surface {
     vec3 albedo;     // of the Lambert term
@@ -59,29 +61,74 @@ vec3 surfaceNormal(vec3 ray)
 #endif
 }
 
-// Colour and alpha of material, vertices and texture unit 0, as TexEnv combines them.
+#if defined(ENVLIGHT_COOK_TORRANCE) || defined(ENVLIGHT_LAMBERT) || defined(ENVLIGHT_PHONG)
+#define ENVLIGHT_MATERIAL
+#endif
+
+// Of a colour that the host gives as a number.
+vec3 hostColor(vec3 c)
+{
+    return materialColors == 0 ? srgbDecode3(max(c, vec3(0.0))) : c;
+}
+
+#ifndef NO_TEXTURE
+vec4 surfaceTexel()
+{
+    vec4 texel = textureProj(baseColorMap, textureCoordinate);
+#ifdef ALPHA_TEXTURE
+    texel.rgb = vec3(1.0);
+#elif !defined(LINEAR_TEXTURE)
+    texel.rgb = srgbDecode3(texel.rgb);
+#endif
+    return texel;
+}
+
+// As TexEnv combines them; sums and mixtures of display values, as the host's own pictures are.
+vec4 combined(vec4 base, vec4 texel)
+{
+#if defined(TEXTURE_REPLACE)
+    return texel;
+#elif defined(TEXTURE_DECAL)
+    return vec4(srgbDecode3(mix(srgbEncode3(base.rgb), srgbEncode3(texel.rgb), texel.a)), base.a);
+#elif defined(TEXTURE_BLEND)
+    return vec4(srgbDecode3(mix(srgbEncode3(base.rgb), gl_TextureEnvColor[0].rgb, srgbEncode3(texel.rgb))), base.a * texel.a);
+#elif defined(TEXTURE_ADD)
+    return vec4(srgbDecode3(min(srgbEncode3(base.rgb) + srgbEncode3(texel.rgb), vec3(1.0))), base.a * texel.a);
+#else
+    return base * texel;
+#endif
+}
+#endif
+
+// Colour and alpha of material, vertices and texture unit 0.
 vec4 surfaceColor(vec4 material)
 {
     vec4 base = material;
 #ifdef VERTEX_COLOR
     base = vertexColor;
 #endif
-#ifdef UNLIT
-    base.rgb = srgbDecode3(base.rgb);
+#ifndef ENVLIGHT_MATERIAL
+    base.rgb = hostColor(base.rgb);
 #endif
 #ifndef NO_TEXTURE
-    vec4 texel = texture(baseColorMap, textureCoordinate);
-#ifndef LINEAR_TEXTURE
-    texel.rgb = srgbDecode3(texel.rgb);
-#endif
-#ifdef TEXTURE_REPLACE
-    base = texel;
-#else
-    base *= texel;
-#endif
+    base = combined(base, surfaceTexel());
 #endif
     return base;
 }
+
+gl_MaterialParameters hostMaterial()
+{
+#ifdef TWO_SIDED
+    if (!gl_FrontFacing) return gl_BackMaterial;
+#endif
+    return gl_FrontMaterial;
+}
+
+#if defined(PAINTED_REFLECTION) && !defined(ENVLIGHT_MATERIAL)
+// A sphere or cube map that is painted on as a reflection: polished metal, which reflects the map itself.
+const float PAINTED_ROUGHNESS = 0.2;
+const float PAINTED_REFLECTANCE = 0.9;
+#endif
 
 Surface readSurface()
 {
@@ -91,8 +138,9 @@ Surface readSurface()
     s.roughness = 1.0;
     s.f0 = vec3(0.0);
     s.brdf = BRDF_LAMBERT;
-    s.emission = gl_FrontMaterial.emission.rgb;
-    vec4 material = gl_FrontMaterial.diffuse;
+    gl_MaterialParameters host = hostMaterial();
+    s.emission = hostColor(host.emission.rgb) * exp2(materialColors == 0 ? emittedStops : 0.0);
+    vec4 material = host.diffuse;
 #ifdef ENVLIGHT_COOK_TORRANCE
     material.rgb = envlightBaseColor;
 #endif
@@ -102,10 +150,7 @@ Surface readSurface()
     vec4 base = surfaceColor(material);
     s.alpha = base.a;
     s.albedo = base.rgb;
-#if defined(UNLIT)
-    s.emission = base.rgb;
-    s.albedo = vec3(0.0);
-#elif defined(ENVLIGHT_COOK_TORRANCE)
+#if defined(ENVLIGHT_COOK_TORRANCE)
     s.brdf = BRDF_COOK_TORRANCE;
     s.albedo = base.rgb * (1.0 - envlightMetalness);
     s.f0 = mix(vec3(0.04), base.rgb, envlightMetalness);
@@ -114,15 +159,23 @@ Surface readSurface()
     s.brdf = BRDF_PHONG;
     s.f0 = envlightSpecular;
     s.roughness = phongRoughness(envlightExponent);
+#elif defined(PAINTED_REFLECTION)
+    s.brdf = BRDF_COOK_TORRANCE;
+    s.albedo = vec3(0.0);
+    s.f0 = PAINTED_REFLECTANCE * base.rgb;
+    s.roughness = PAINTED_ROUGHNESS;
+#elif defined(UNLIT)
+    s.emission = base.rgb * exp2(materialColors == 0 ? emittedStops : 0.0);
+    s.albedo = vec3(0.0);
 #elif defined(PHONG_MATERIAL)
     // Legacy materials reflect more than they receive: both terms are scaled until diffuse + specular <= 1.
     s.brdf = BRDF_PHONG;
-    s.f0 = gl_FrontMaterial.specular.rgb;
+    s.f0 = hostColor(host.specular.rgb);
     vec3 sum = s.albedo + s.f0;
     float scale = 1.0 / max(1.0, max(sum.r, max(sum.g, sum.b)));
     s.albedo *= scale;
     s.f0 *= scale;
-    s.roughness = phongRoughness(gl_FrontMaterial.shininess);
+    s.roughness = phongRoughness(host.shininess);
 #endif
     return s;
 }

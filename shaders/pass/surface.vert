@@ -1,14 +1,14 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // Geometry of the host's own drawables, for the G-buffer and for what is drawn forward.
-#pragma import_defines(NO_TEXTURE)
+#pragma import_defines(NO_TEXTURE, TEXGEN_OBJECT, TEXGEN_EYE, TEXGEN_PROJECTED)
 
 uniform vec2 subpixel;  // shift of the picture in clip space over w
 
 out vec3 eyePosition;
 out vec3 eyeNormal;
 out vec4 vertexColor;
-out vec2 textureCoordinate;
+out vec3 textureCoordinate;  // s, t, q
 
 void main()
 {
@@ -16,10 +16,25 @@ void main()
     eyeNormal = gl_NormalMatrix * gl_Normal;
     vertexColor = gl_Color;
 #ifndef NO_TEXTURE
-    textureCoordinate = (gl_TextureMatrix[0] * gl_MultiTexCoord0).xy;
+    vec4 coordinate = gl_MultiTexCoord0;
+#ifdef TEXGEN_OBJECT
+    coordinate.xy = vec2(dot(gl_Vertex, gl_ObjectPlaneS[0]), dot(gl_Vertex, gl_ObjectPlaneT[0]));
+#endif
+#ifdef TEXGEN_EYE
+    vec4 eye = gl_ModelViewMatrix * gl_Vertex;
+    coordinate.xy = vec2(dot(eye, gl_EyePlaneS[0]), dot(eye, gl_EyePlaneT[0]));
+#endif
+#if defined(TEXGEN_OBJECT) && defined(TEXGEN_PROJECTED)
+    coordinate.w = dot(gl_Vertex, gl_ObjectPlaneQ[0]);
+#endif
+#if defined(TEXGEN_EYE) && defined(TEXGEN_PROJECTED)
+    coordinate.w = dot(eye, gl_EyePlaneQ[0]);
+#endif
+    textureCoordinate = (gl_TextureMatrix[0] * coordinate).xyw;
 #else
-    textureCoordinate = vec2(0.0);
+    textureCoordinate = vec3(0.0, 0.0, 1.0);
 #endif
     gl_Position = ftransform();
     gl_Position.xy += subpixel * gl_Position.w;
+    gl_ClipVertex = gl_ModelViewMatrix * gl_Vertex;  // for the host's clip planes
 }

@@ -8,7 +8,14 @@ uniform sampler2D diffuseTermMap;
 uniform sampler2D sunDiffuseMap;
 uniform sampler2D sunShadedMap;
 uniform sampler2D occlusionTermMap;
-uniform float radianceScale;  // the map's mean radiance times its intensity
+uniform sampler2D emissionMap;  // times 2^baseStops: what is typed as a colour fits half floats under any map
+uniform float radianceScale;    // the map's mean radiance times its intensity
+uniform float emittedStops;     // - baseStops
+
+vec3 emitted(ivec2 p)
+{
+    return texelFetch(emissionMap, p, 0).rgb * exp2(emittedStops);
+}
 
 vec3 diffuseTerm(ivec2 p)
 {

@@ -30,6 +30,19 @@ TEST(tone, NeutralPassesBaseColours)
     EXPECT_NEAR(c.z, 0.06, 1e-15);
 }
 
+TEST(tone, ShoulderPassesColoursBelowItsStartAndStaysBelowWhite)
+{
+    Random random(17);
+    for (int i = 0; i < 1000; ++i) {
+        const vec3 c(random.uniform(0, 0.76), random.uniform(0, 0.76), random.uniform(0, 0.76));
+        EXPECT_EQ(glsl::toneShoulder(c), c);
+        const double bright = random.uniform(0.76, 100.0);
+        // Khronos PBR Neutral's own compression, written out.
+        EXPECT_NEAR(glsl::toneShoulder(vec3(bright)).x, 1.0 - 0.24 * 0.24 / (bright - 0.52), 1e-12);
+        EXPECT_LT(glsl::toneShoulder(vec3(bright)).x, 1.0);
+    }
+}
+
 TEST(tone, NeutralIsContinuousMonotoneAndBounded)
 {
     double before = -1.0;

@@ -57,7 +57,13 @@ osg::ref_ptr<osg::Texture2D> texture(const osg::Vec4ub& color)
     return new osg::Texture2D(image);
 }
 
-const double linear128 = std::pow((128.0 / 255.0 + 0.055) / 1.055, 2.4);  // sRGB, IEC 61966-2-1
+// sRGB, IEC 61966-2-1, above its toe.
+double decoded(double display)
+{
+    return std::pow((display + 0.055) / 1.055, 2.4);
+}
+
+const double linear128 = decoded(128.0 / 255.0);
 const double small = 0.003;  // SH of a constant map in half floats: .05 %; the rest is 8-bit input
 
 }  // namespace
@@ -74,10 +80,12 @@ TEST_F(Surfaces, OsgMaterialDiffuseIsLambert)
     lit->addChild(screen());
     setMaterial(*lit->getChild(0)->getOrCreateStateSet(), osg::Vec4(0.2f, 0.5f, 0.8f, 1));
     const osg::Vec3d c = centre(renderer, lit);
-    EXPECT_NEAR(c[0], 0.2, small);
-    EXPECT_NEAR(c[1], 0.5, small);
-    EXPECT_NEAR(c[2], 0.8, small);
+    EXPECT_NEAR(c[0], decoded(0.2), small);
+    EXPECT_NEAR(c[1], decoded(0.5), small);
+    EXPECT_NEAR(c[2], decoded(0.8), small);
     EXPECT_FALSE(lit->plan().specular);
+    lit->getSettings()->materialColors = Settings::COLORS_LINEAR;
+    EXPECT_NEAR(centre(renderer, lit)[1], 0.5, small);
 }
 
 TEST_F(Surfaces, OsgMaterialNeverReflectsMoreThanItReceives)
@@ -101,7 +109,7 @@ TEST_F(Surfaces, ColorModeTakesVertexColours)
         geode->getDrawable(0)->asGeometry()->setColorArray(colors.get(), osg::Array::BIND_OVERALL);
         setMaterial(*geode->getOrCreateStateSet(), osg::Vec4(0.5f, 0.5f, 0.5f, 1), osg::Vec4(0, 0, 0, 1), mode);
         lit->addChild(geode);
-        EXPECT_NEAR(centre(renderer, lit)[1], mode == osg::Material::OFF ? 0.5 : 0.6, small) << "mode " << mode;
+        EXPECT_NEAR(centre(renderer, lit)[1], decoded(mode == osg::Material::OFF ? 0.5 : 0.6), small) << "mode " << mode;
     }
 }
 
