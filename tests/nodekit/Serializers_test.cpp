@@ -12,6 +12,8 @@
 
 #include <unistd.h>
 
+#include <map>
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
 
@@ -47,6 +49,75 @@ osg::ref_ptr<LitScene> makeScene()
 }
 
 }  // namespace
+
+// The files of version 0 in tests/data were written before files had a version. They read for ever.
+class Version0 : public testing::TestWithParam<const char*>
+{
+  protected:
+    static osg::ref_ptr<LitScene> read(const std::string& name)
+    {
+        const std::string file = std::string(ENVLIGHT_SOURCE_DIR) + "/tests/data/version0_" + name + GetParam();
+        return dynamic_cast<LitScene*>(osgDB::readRefNodeFile(file).get());
+    }
+
+    // All others have the defaults that they had then.
+    static void expectSettings(const LitScene& lit, std::map<std::string, std::string> values)
+    {
+        values.emplace("background", "on");
+        const osg::ref_ptr<const Settings> defaults = new Settings;
+        for (const Settings::Property& p : Settings::table()) {
+            const auto given = values.find(p.name);
+            EXPECT_EQ(given == values.end() ? p.getString(*defaults) : given->second, p.getString(*lit.getSettings())) << p.name;
+        }
+    }
+};
+
+TEST_P(Version0, DefaultSettingsUnderTheStudio)
+{
+    const NotifyCatcher notify;
+    const osg::ref_ptr<LitScene> lit = read("studio");
+    ASSERT_TRUE(lit);
+    EXPECT_EQ("", notify.text());
+    EXPECT_EQ("studio", lit->getEnvironmentMap()->getMap());
+    EXPECT_EQ(osgEnvLight::MapLayout::AUTO, lit->getEnvironmentMap()->getLayout());
+    EXPECT_DOUBLE_EQ(112.5, lit->getEnvironmentMap()->getRotation());
+    EXPECT_DOUBLE_EQ(1.75, lit->getEnvironmentMap()->getIntensity());
+    EXPECT_FALSE(lit->getEnvironmentMap()->getStrict());
+    expectSettings(*lit, {});
+    ASSERT_EQ(1u, lit->getNumChildren());
+    EXPECT_EQ("quad", lit->getChild(0)->getName());
+}
+
+TEST_P(Version0, ManySettingsUnderAMapInTheFile)
+{
+    const NotifyCatcher notify;
+    const osg::ref_ptr<LitScene> lit = read("settings");
+    ASSERT_TRUE(lit);
+    EXPECT_EQ("", notify.text());
+    const osgEnvLight::EnvironmentMap& map = *lit->getEnvironmentMap();
+    EXPECT_EQ("", map.getMap());
+    EXPECT_EQ(osgEnvLight::MapLayout::LATLONG, map.getLayout());
+    EXPECT_DOUBLE_EQ(-45.0, map.getRotation());
+    EXPECT_DOUBLE_EQ(0.5, map.getIntensity());
+    EXPECT_TRUE(map.getStrict());
+    ASSERT_TRUE(map.getImage());
+    ASSERT_EQ(4, map.getImage()->s());
+    ASSERT_EQ(2, map.getImage()->t());
+    ASSERT_EQ(GLenum(GL_FLOAT), map.getImage()->getDataType());
+    for (unsigned i = 0; i < 24; ++i) EXPECT_EQ(0.25f * float(i), reinterpret_cast<const float*>(map.getImage()->data())[i]);
+    expectSettings(*lit, {{"atlasLights", "512"},         {"atlasSize", "256"},         {"specular", "off"},
+                          {"lightSampler", "median-cut"}, {"lightFloor", "0.25"},       {"suns", "glossy"},
+                          {"regeneration", "immediate"},  {"diffuseLights", "64"},      {"visibility", "both"},
+                          {"occlusionMethod", "gtao"},    {"occlusionRadius", "0.375"}, {"filterCells", "3"},
+                          {"combine", "subtract"},        {"accumulate", "on"},         {"background", "blur"},
+                          {"backgroundBlur", "22.5"},     {"view", "normal"},           {"output", "linear"},
+                          {"exposure", "-1.5"},           {"toneCurve", "reinhard"},    {"dither", "off"}});
+    ASSERT_EQ(1u, lit->getNumChildren());
+    EXPECT_EQ("quad", lit->getChild(0)->getName());
+}
+
+INSTANTIATE_TEST_SUITE_P(Serializers, Version0, testing::Values(".osgt", ".osgb"),
+                         [](const auto& format) { return std::string(format.param + 1); });
 
 class Serializers : public testing::TestWithParam<const char*>
 {
