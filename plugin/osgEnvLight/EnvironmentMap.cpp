@@ -197,6 +197,15 @@ bool isBuiltin(const std::string& name)
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+// Each plugin has its own words for such a file, none of them that it is empty.
+bool isEmptyFile(const std::string& name, const osgDB::Options* options)
+{
+    const std::string path = osgDB::findDataFile(name, options);
+    if (path.empty() || osgDB::fileType(path) != osgDB::REGULAR_FILE) return false;
+    osgDB::ifstream in(path.c_str(), std::ios::binary | std::ios::ate);
+    return in && in.tellg() == std::streampos(0);
+}
+
 osg::ref_ptr<osg::Image> readHdr(const std::string& name, const osgDB::Options* options, std::string& error)
 {
     std::string path = osgDB::findDataFile(name, options);
@@ -278,6 +287,10 @@ EnvironmentMap::EnvironmentMap(const EnvironmentMap& other, const osg::CopyOp& c
 
 bool EnvironmentMap::load(const std::string& name, const osgDB::Options* options, std::string& error)
 {
+    if (!isBuiltin(name) && isEmptyFile(name, options)) {
+        error = "environment map '" + name + "' is empty (0 bytes)";
+        return false;
+    }
     std::string reason;
     osg::ref_ptr<osg::Image> image = readAny(name, options, reason);
     if (!image) {

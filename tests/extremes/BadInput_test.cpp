@@ -87,8 +87,10 @@ TEST_F(BadInput, Maps)
         SCOPED_TRACE(c.file);
         expectError(run({model, "--env", folder.file(c.file)}), 1, c.words);
     }
-    folder.write("empty.hdr", "");
-    expectError(run({model, "--env", folder.file("empty.hdr")}), 1, {"empty.hdr"});
+    for (const char* empty : {"empty.hdr", "empty.exr", "empty.png"}) {
+        folder.write(empty, "");
+        expectError(run({model, "--env", folder.file(empty)}), 1, {empty, "is empty (0 bytes)"});
+    }
 }
 
 TEST_F(BadInput, SceneDescriptions)

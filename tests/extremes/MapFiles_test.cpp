@@ -163,6 +163,16 @@ TEST_F(MapFiles, TruncatedAndStrangeTexturesAreRefusedByName)
         }
 }
 
+TEST_F(MapFiles, AFileOfNoBytesIsSaidToBeEmpty)
+{
+    for (const char* name :
+         {"empty.exr", "empty.hdr", "empty.pic", "empty.png", "empty.jpg", "empty.tif", "empty.dds", "empty.ktx"}) {
+        const std::string error = load(name, "");
+        EXPECT_EQ(error, "environment map '" + path + "' is empty (0 bytes)");
+    }
+    EXPECT_EQ(environment->getMap(), "sky");
+}
+
 TEST_F(MapFiles, ASquareNeedsALayout)
 {
     const LaidOut l = {MapLayout::OCTAHEDRAL, 32, 32, 1};
