@@ -3,6 +3,7 @@
 
 #include <osgEnvLight/StatsLines>
 
+#include <osg/Notify>
 #include <osgGA/EventVisitor>
 #include <osgUtil/CullVisitor>
 #include <osgUtil/GLObjectsVisitor>
@@ -11,13 +12,19 @@
 namespace osgEnvLight
 {
 
-LitScene::LitScene() : LitScene(static_cast<osg::Image*>(nullptr)) {}
-
-LitScene::LitScene(osg::Image* image)
-    : _map(new EnvironmentMap(image)), _settings(new Settings), _technique(new DeferredTechnique)
+LitScene::LitScene() : _map(new EnvironmentMap), _settings(new Settings), _technique(new DeferredTechnique)
 {
     setCullingActive(false);  // the background shows where the bound does not
     setNumChildrenRequiringEventTraversal(getNumChildrenRequiringEventTraversal() + 1);
+}
+
+LitScene::LitScene(osg::Image* image) : LitScene()
+{
+    if (image)
+        _map->setImage(image);
+    else
+        OSG_WARN << "osgEnvLight: LitScene was given a null image (a file that was not read?); the built-in sky lights instead"
+                 << std::endl;
 }
 
 LitScene::LitScene(const LitScene& other, const osg::CopyOp& copyop)

@@ -16,8 +16,8 @@ int main(int argc, char** argv)
     }
     osgViewer::Viewer viewer;
 
-    osg::ref_ptr<osgEnvLight::LitScene> lit =
-        new osgEnvLight::LitScene(argc > 2 ? osgDB::readRefImageFile(argv[2]) : osg::ref_ptr<osg::Image>());
+    osg::ref_ptr<osgEnvLight::LitScene> lit = new osgEnvLight::LitScene;  // the built-in sky
+    if (argc > 2) lit = new osgEnvLight::LitScene(osgDB::readRefImageFile(argv[2]));
     lit->addChild(scene);
     viewer.setSceneData(lit);
 

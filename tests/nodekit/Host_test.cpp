@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 using osgEnvLight::LitScene;
@@ -132,6 +133,19 @@ TEST(Host, StateSetsOfTheModelAreNotChanged)
     for (unsigned i = 0; i < model->getNumChildren(); ++i)
         EXPECT_EQ(0, copies[i]->compare(*model->getChild(i)->getStateSet(), true)) << "child " << i;
     EXPECT_EQ(nullptr, model->getStateSet());
+}
+
+TEST(Host, AnImageThatWasNotReadIsOneWarning)
+{
+    NotifyCatcher notify;
+    osg::ref_ptr<LitScene> lit = new LitScene;
+    EXPECT_EQ("", notify.text());
+    lit = new LitScene(constantMap(1.0));
+    EXPECT_EQ("", notify.text());
+    lit = new LitScene(osg::ref_ptr<osg::Image>());
+    EXPECT_NE(std::string::npos, notify.text().find("built-in sky")) << notify.text();
+    EXPECT_EQ(1, std::count(notify.text().begin(), notify.text().end(), '\n')) << notify.text();
+    EXPECT_EQ("sky", lit->getEnvironmentMap()->getMap());
 }
 
 TEST(Host, AddingAndRemovingAHundredTimesLeaksNothing)
