@@ -36,7 +36,8 @@ void setUniform(osg::State& state, const char* name, float x)
 
 }  // namespace
 
-AtlasRefresh::AtlasRefresh(const std::string& name, GpuTimer* timer) : _timer(timer), _triangle(makeFullScreenTriangle())
+AtlasRefresh::AtlasRefresh(const std::string& name, GpuTimer* timer, osg::Vec3Array* vertices)
+    : _timer(timer), _triangle(makeFullScreenTriangle(vertices))
 {
     setName(name);
     setUseDisplayList(false);

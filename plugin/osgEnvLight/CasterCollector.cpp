@@ -29,6 +29,7 @@ bool hasSurfaces(const osg::Geometry& geometry)
 CasterCollector::CasterCollector(osgUtil::CullVisitor& cv, const osg::Matrixd& worldFromEye, StateSets& stateSets,
                                  SurfaceFacts* facts)
     : osg::NodeVisitor(osg::NodeVisitor::NODE_VISITOR, osg::NodeVisitor::TRAVERSE_ACTIVE_CHILDREN),
+      osg::CullStack(cv),  // not made anew, which reads the environment's variables and, at INFO, prints that in every frame
       _worldFromEye(worldFromEye),
       _stateSets(stateSets),
       _states(1, CasterState(facts))

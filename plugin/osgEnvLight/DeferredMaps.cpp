@@ -53,7 +53,7 @@ void DeferredTechnique::addRefresh(Cull& c, osgUtil::CullVisitor& cv, const std:
 {
     Frame& f = c.frame;
     osg::ref_ptr<AtlasRefresh>& refresh = f.atlasRefreshes[name];
-    if (!refresh) refresh = new AtlasRefresh(name, &c.view.timer(name));
+    if (!refresh) refresh = new AtlasRefresh(name, &c.view.timer(name), c.frame.triangle.get());
     refresh->prepare(targets, refreshes, std::move(casters), mapStates(c, name, shader, targets), c.timed);
     osg::ref_ptr<Pass>& pass = f.passes[name];
     if (!pass) pass = new Pass(refresh.get());

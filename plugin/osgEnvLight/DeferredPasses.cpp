@@ -85,7 +85,7 @@ void DeferredTechnique::addPass(Cull& c, osgUtil::CullVisitor& cv, const std::st
                                 const ShadowPlaces& places)
 {
     osg::ref_ptr<Pass>& pass = c.frame.passes[name];
-    if (!pass) pass = new Pass(new FullScreen(name, &c.view.timer(name)));
+    if (!pass) pass = new Pass(new FullScreen(name, &c.view.timer(name), c.frame.triangle.get()));
     auto& triangle = static_cast<FullScreen&>(pass->drawable());
     prepare(triangle, state, c);
     triangle.atlasOrigin = places.origin;
@@ -294,7 +294,7 @@ void DeferredTechnique::addComposite(Cull& c, osgUtil::CullVisitor& cv)
 {
     osg::StateSet& state = passState(c, "composite", compositeInputs(c));
     if (c.settings.view == Settings::LIGHT_LIST) c.view.textures().addSuns(state);
-    if (!c.frame.composite) c.frame.composite = new FullScreen("composite", &c.view.timer("composite"));
+    if (!c.frame.composite) c.frame.composite = new FullScreen("composite", &c.view.timer("composite"), c.frame.triangle.get());
     prepare(*c.frame.composite, state, c);
     cv.pushStateSet(&state);
     cv.pushStateSet(c.frame.uniforms.get());

@@ -227,7 +227,7 @@ void DeferredTechnique::fillGBuffer(Cull& c, LitScene& node, osgUtil::CullVisito
         f.materialColors->set(c.settings.materialColors);
         f.emittedStops->set(float(-c.baseStops()));
         if (!f.gbufferCamera || f.gbufferTimed != c.timed) {
-            f.gbufferCamera = new StageCamera;
+            f.gbufferCamera = new StageCamera(c.view.plainCamera());
             f.gbufferTimed = c.timed;
             BindTargets::install(*f.gbufferCamera, c.gbuffer.frameBuffer(), c.timed ? &c.view.timer("gbuffer") : nullptr,
                                  _failure.get());

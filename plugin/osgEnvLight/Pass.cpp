@@ -47,13 +47,9 @@ class Uploader
     const osg::GLExtensions& _ext;
 };
 
-void makeFullScreen(osg::Geometry& geometry)
+void makeFullScreen(osg::Geometry& geometry, osg::Vec3Array* vertices)
 {
-    osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
-    vertices->push_back(osg::Vec3(-1, -1, 0));
-    vertices->push_back(osg::Vec3(3, -1, 0));
-    vertices->push_back(osg::Vec3(-1, 3, 0));
-    geometry.setVertexArray(vertices.get());
+    geometry.setVertexArray(vertices);
     geometry.addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, 3));
     geometry.setUseDisplayList(false);
     geometry.setUseVertexBufferObjects(true);
@@ -62,17 +58,26 @@ void makeFullScreen(osg::Geometry& geometry)
 
 }  // namespace
 
-osg::ref_ptr<osg::Geometry> makeFullScreenTriangle()
+osg::ref_ptr<osg::Vec3Array> fullScreenVertices()
+{
+    osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
+    vertices->push_back(osg::Vec3(-1, -1, 0));
+    vertices->push_back(osg::Vec3(3, -1, 0));
+    vertices->push_back(osg::Vec3(-1, 3, 0));
+    return vertices;
+}
+
+osg::ref_ptr<osg::Geometry> makeFullScreenTriangle(osg::Vec3Array* vertices)
 {
     osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
-    makeFullScreen(*geometry);
+    makeFullScreen(*geometry, vertices);
     return geometry;
 }
 
-FullScreen::FullScreen(const std::string& name, GpuTimer* timer) : _timer(timer)
+FullScreen::FullScreen(const std::string& name, GpuTimer* timer, osg::Vec3Array* vertices) : _timer(timer)
 {
     setName(name);
-    makeFullScreen(*this);
+    makeFullScreen(*this, vertices ? vertices : fullScreenVertices().get());
 }
 
 void FullScreen::drawImplementation(osg::RenderInfo& renderInfo) const
@@ -106,6 +111,7 @@ void prepareStage(osgUtil::RenderStage& stage, osgUtil::RenderStage& host, osg::
     // The stage observes its camera, and does not take a new one at a dead one's address for another.
     stage.setCamera(nullptr);
     stage.setCamera(&camera);
+    stage.setCameraRequiresSetUp(false);  // its callbacks bind the target: OSG would only print that it sets up a frame buffer
     stage.setViewport(&viewport);
     // State caches one draw buffer for all frame buffers, so none is set here.
     stage.setDrawBuffer(GL_NONE, false);

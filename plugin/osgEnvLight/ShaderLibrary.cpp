@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgEnvLight/ShaderLibrary>
 
-#include <osg/State>
+#include <osgEnvLight/ReportingProgram>
+
 #include <osgDB/FileUtils>
 #include <osgDB/FileNameUtils>
 #include <osgDB/fstream>
@@ -30,41 +31,6 @@ std::string quotedName(const std::string& line)
     size_t b = line.rfind('"');
     return a != std::string::npos && b > a ? line.substr(a + 1, b - a - 1) : std::string();
 }
-
-// A program that tells the failure when a variant of it does not link, with the log in terms of the source files.
-class ReportingProgram : public osg::Program
-{
-  public:
-    ReportingProgram(Failure* failure, ShaderText vertex, ShaderText fragment)
-        : _failure(failure), _texts{std::move(vertex), std::move(fragment)}
-    {
-    }
-
-    void apply(osg::State& state) const override
-    {
-        osg::Program::apply(state);
-        const PerContextProgram* program = getPCP(state);
-        if (program && !program->needsLink() && !program->isLinked() && !_failure->happened())
-            _failure->report(getName() + " does not compile\n" + log(*program, state));
-    }
-
-  private:
-    std::string log(const PerContextProgram& program, osg::State& state) const
-    {
-        std::string result;
-        for (unsigned i = 0; i < getNumShaders() && i < 2; ++i) {
-            const osg::Shader::PerContextShader* shader = getShader(i)->getPCS(state);
-            std::string text;
-            if (shader && !shader->isCompiled() && shader->getInfoLog(text)) result += _texts[i].translate(text);
-        }
-        std::string text;
-        if (program.getInfoLog(text)) result += text;
-        return result;
-    }
-
-    osg::ref_ptr<Failure> _failure;
-    ShaderText _texts[2];
-};
 
 }  // namespace
 
@@ -161,16 +127,7 @@ osg::Program* ShaderLibrary::program(const std::string& vertexShader, const std:
 {
     osg::ref_ptr<osg::Program>& program = _programs[vertexShader + " " + fragmentShader];
     if (program) return program.get();
-    const ShaderText vertex = expand(vertexShader);
-    const ShaderText fragment = expand(fragmentShader);
-    program = new ReportingProgram(_failure.get(), vertex, fragment);
-    program->setName("osgEnvLight " + fragmentShader);
-    for (auto [type, name, text] : {std::tuple(osg::Shader::VERTEX, vertexShader, vertex.text),
-                                    std::tuple(osg::Shader::FRAGMENT, fragmentShader, fragment.text)}) {
-        osg::ref_ptr<osg::Shader> shader = new osg::Shader(type, text);
-        shader->setName(name);
-        program->addShader(shader);
-    }
+    program = new ReportingProgram(_failure.get(), vertexShader, expand(vertexShader), fragmentShader, expand(fragmentShader));
     return program.get();
 }
 

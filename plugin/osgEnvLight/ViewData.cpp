@@ -16,8 +16,8 @@ size_t bytesOf(GLint format)
 
 }  // namespace
 
-Target::Target(int width, int height, const std::vector<GLint>& formats, Failure* failure)
-    : frameBuffer(new osg::FrameBufferObject), camera(new StageCamera), viewport(new osg::Viewport(0, 0, width, height))
+Target::Target(int width, int height, const std::vector<GLint>& formats, const StageCamera& plain, Failure* failure)
+    : frameBuffer(new osg::FrameBufferObject), camera(new StageCamera(plain)), viewport(new osg::Viewport(0, 0, width, height))
 {
     for (size_t i = 0; i < formats.size(); ++i) {
         textures.push_back(targetTexture(width, height, formats[i]));
@@ -171,7 +171,7 @@ Target& ViewData::target(const std::string& pass, const std::vector<GLint>& form
 {
     osg::ref_ptr<Target>& target = _targets[pass];
     if (!target || (!formats.empty() && formats.size() != target->textures.size())) {
-        target = new Target(side ? side : _width, side ? side : _height, formats, _failure.get());
+        target = new Target(side ? side : _width, side ? side : _height, formats, *_plainCamera, _failure.get());
         _states.clear();  // those that read the pass's former target
     }
     return *target;
@@ -182,7 +182,7 @@ ViewData::Atlas& ViewData::atlas(const std::string& pass, unsigned lights, unsig
     Atlas& atlas = _atlases[pass];
     if (!atlas.maps || atlas.maps->lights != lights || atlas.maps->size != size) {
         atlas.maps = new ShadowAtlas(lights, size);
-        atlas.camera = new StageCamera;
+        atlas.camera = new StageCamera(*_plainCamera);
         BindTargets::install(*atlas.camera, atlas.maps->targets().maps, nullptr, _failure.get());
         _states.clear();  // those that read the former one
     }
@@ -201,7 +201,7 @@ SunShadows& ViewData::sunShadows(unsigned suns, unsigned levels, unsigned size)
     size = SunShadows::sizeOf(suns * levels, size);
     if (!_sunShadows || _sunShadows->suns != suns || _sunShadows->levels != levels || _sunShadows->size != size) {
         _sunShadows = new SunShadows(suns, levels, size);
-        _sunCamera = new StageCamera;
+        _sunCamera = new StageCamera(*_plainCamera);
         BindTargets::install(*_sunCamera, _sunShadows->targets().maps, nullptr, _failure.get());
         _states.clear();  // those that read the former ones
     }

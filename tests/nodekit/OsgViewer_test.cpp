@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -121,6 +122,24 @@ TEST_F(OsgViewer, ShowsRealModelsUnderRealMapsAsEnvlightRenderDoes)
             ASSERT_GT(sum, 0) << "a black pixel: " << (i / 3) % width << ", " << (i / 3) / width;
         }
     }
+}
+
+// Who looks for a fault in an application turns the notify level up, and wants to find it among the lines.
+TEST_F(OsgViewer, AtNotifyLevelInfoTheNodeAddsFewLinesAndNoShaderText)
+{
+    const auto print = [&](const std::string& file) {
+        const Outcome o = runProgram({"osgviewer", "--SingleThreaded", "--window", "0", "0", "160", "120", file},
+                                     {"DISPLAY=" + _display.name(), "OSG_NOTIFY_LEVEL=INFO", "OSG_RUN_FRAME_COUNT=12"});
+        EXPECT_EQ(0, o.status) << o.err;
+        return o.out + o.err;
+    };
+    const auto lines = [](const std::string& text) { return std::count(text.begin(), text.end(), '\n'); };
+    const std::string model = models + "OBJ/spider.obj";
+    const std::string plain = print(model);
+    const std::string lit = print(model + ".envlight");
+    EXPECT_LT(lines(lit) - lines(plain), 50);
+    for (const char* word : {"#version", "void main", "Linking osg::Program", "Uniform \""})
+        EXPECT_EQ(std::string::npos, lit.find(word)) << word;
 }
 
 TEST_F(OsgViewer, ShowsAPictureInOtherThreadingModelsAndInStereo)
