@@ -64,6 +64,7 @@ Accumulation::Key DeferredTechnique::stillKey(Cull& c, osgUtil::CullVisitor& cv)
     key.mapFromWorld = c.mapFromWorld;
     key.radianceScale = c.radianceScale;
     key.settings = &c.settings;
+    key.background = c.background;
     key.textures = &c.view.textures();
     key.surfaces = surfacesOf(*c.frame.gbufferStage, c.frame.fill->getStateSet());
     return key;
@@ -89,7 +90,7 @@ void DeferredTechnique::advanceStillView(Cull& c, osgUtil::CullVisitor& cv)
         if (a.adds()) v.atlas("accumulate", Accumulation::lightsPerFrame, a.mapSize());
         if (a.adds() && c.finer) v.atlas("accumulate finer", Accumulation::lightsPerFrame, a.mapSize());
         // What is drawn forward has no offset, nor has a background of the host's.
-        if (a.adds() && v.plan.surfaces.forward == 0 && c.settings.background != Settings::BACKGROUND_OFF) {
+        if (a.adds() && v.plan.surfaces.forward == 0 && c.background != Settings::BACKGROUND_OFF) {
             const osg::Vec2d offset = r2Point(a.frames()) - osg::Vec2d(0.5, 0.5);
             c.subpixel = osg::Vec2d(2.0 * offset[0] / v.width(), 2.0 * offset[1] / v.height());
         }

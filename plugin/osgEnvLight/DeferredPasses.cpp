@@ -257,12 +257,12 @@ DeferredTechnique::PassInputs DeferredTechnique::pictureInputs(Cull& c)
         in.defines.push_back("HAS_LOBES");
         in.samplers.push_back({"blockedLobeMap", c.view.target("specular", {}).textures[1].get()});
     }
-    if (c.settings.background != Settings::BACKGROUND_OFF) in.defines.push_back("BACKGROUND");
-    if (c.settings.background == Settings::BACKGROUND_BLUR) {
+    if (c.background != Settings::BACKGROUND_OFF) in.defines.push_back("BACKGROUND");
+    if (c.background == Settings::BACKGROUND_BLUR) {
         in.defines.push_back("BACKGROUND_BLUR");
         in.samplers.push_back({"pyramidMap", c.view.textures().pyramid()});
     }
-    if (c.settings.background == Settings::BACKGROUND_ON || c.settings.view == Settings::LIGHT_LIST)
+    if (c.background == Settings::BACKGROUND_ON || c.settings.view == Settings::LIGHT_LIST)
         in.samplers.push_back({"latlongMap", c.view.textures().latlong()});
     return in;
 }
@@ -275,7 +275,7 @@ DeferredTechnique::PassInputs DeferredTechnique::compositeInputs(Cull& c)
     std::vector<Sampler>& samplers = in.samplers;
     if (c.still && c.still->frames() > 0) {
         defines.push_back("ACCUMULATED");
-        if (s.background != Settings::BACKGROUND_OFF) defines.push_back("BACKGROUND");
+        if (c.background != Settings::BACKGROUND_OFF) defines.push_back("BACKGROUND");
         samplers = {{"stillMap", c.view.target("still", {}).textures[0].get()},
                     {"accumulatedMap", c.view.target("accumulate", {}).textures[0].get()}};
     } else {

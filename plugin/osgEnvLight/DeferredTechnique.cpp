@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <osgEnvLight/DeferredTechnique>
 
+#include <osgEnvLight/Backdrop>
 #include <osgEnvLight/LitScene>
 
 #include <osg/FrameStamp>
@@ -25,6 +26,18 @@ bool isDepthOnly(const osg::Camera* camera)
     for (const auto& [component, attachment] : camera->getBufferAttachmentMap())
         if (component >= osg::Camera::COLOR_BUFFER) return false;
     return true;
+}
+
+const GLbitfield gbufferClear = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
+
+// An osg::ClearNode below the node speaks of the host's buffers.
+void passClearOn(osgUtil::RenderStage& gbuffer, osgUtil::RenderStage& host)
+{
+    if (gbuffer.getClearMask() == gbufferClear && gbuffer.getClearColor() == osg::Vec4()) return;
+    host.setClearMask(gbuffer.getClearMask());
+    host.setClearColor(gbuffer.getClearColor());
+    gbuffer.setClearMask(gbufferClear);
+    gbuffer.setClearColor(osg::Vec4());
 }
 
 }  // namespace
@@ -79,6 +92,7 @@ try {
 
     std::vector<ForwardGraph> forward;
     fillGBuffer(c, node, cv, forward);
+    const std::string behind = chooseBackground(c, forward);
 
     const bool shows = vd.plan.surfaces.deferred + vd.plan.surfaces.litForward > 0;
     const bool needed = settings->diffuse && radianceScale > 0.0 && shows;
@@ -90,6 +104,7 @@ try {
     c.away = !shows && radius > 0.0;
     vd.plan = Plan::make(*settings, vd.plan.surfaces, radianceScale <= 0.0, radius, carrier, textures->sunShare(),
                          c.casters.size(), c.ownGBuffer);
+    vd.plan.reasons.back().reason += ", " + behind;  // of the composite
     addAtlas(c, cv);
     advanceStillView(c, cv);
     addSunMaps(c, cv);
@@ -240,7 +255,7 @@ void DeferredTechnique::fillGBuffer(Cull& c, LitScene& node, osgUtil::CullVisito
     f.gbufferCamera->setProjectionMatrix(*cv.getProjectionMatrix());
     f.gbufferCamera->setViewMatrix(c.host.getInitialViewMatrix() ? osg::Matrixd(*c.host.getInitialViewMatrix()) : osg::Matrixd());
     f.gbufferCamera->setViewport(c.view.viewport());
-    prepareStage(*f.gbufferStage, c.host, *f.gbufferCamera, *c.view.viewport(), GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    prepareStage(*f.gbufferStage, c.host, *f.gbufferCamera, *c.view.viewport(), gbufferClear);
     // Light sources and clip planes below the node also reach what is drawn forward.
     f.gbufferStage->setPositionalStateContainer(c.host.getPositionalStateContainer());
 
@@ -258,6 +273,7 @@ void DeferredTechnique::fillGBuffer(Cull& c, LitScene& node, osgUtil::CullVisito
     });
     cv.popViewport();
     handOverCameras(c);
+    passClearOn(*f.gbufferStage, c.host);
 }
 
 // What cameras below the node draw, before or after the host's own: as without us, and while the G-buffer stands still, too.
@@ -288,6 +304,19 @@ void DeferredTechnique::handOverCameras(Cull& c)
     }
     own.getPreRenderList().clear();
     own.getPostRenderList().clear();
+}
+
+// What is behind the scene, in words.
+std::string DeferredTechnique::chooseBackground(Cull& c, const std::vector<ForwardGraph>& forward) const
+{
+    c.background = c.settings.background;
+    if (c.background == Settings::BACKGROUND_AUTO) {
+        const std::string backdrop = findBackdrop(c.host, forward);
+        c.background = backdrop.empty() ? Settings::BACKGROUND_ON : Settings::BACKGROUND_OFF;
+        if (!backdrop.empty()) return backdrop + " behind";
+    }
+    if (c.background == Settings::BACKGROUND_OFF) return "the background switched off";
+    return c.background == Settings::BACKGROUND_BLUR ? "the map behind, blurred" : "the map behind";
 }
 
 void DeferredTechnique::reloadShaders()

@@ -152,7 +152,10 @@ const std::vector<Settings::Property>& Settings::table()
                "frames of 16 lights that a still view averages before it rests"),
         number("accumulateSize", &S::accumulateSize, 16, 4096, "texels",
                "largest side of the shadow maps of a still view, which begin with 256"),
-        choice("background", &S::background, {"off", "on", "blur"}, "the map behind the scene"),
+        choice("background", &S::background, {"off", "on", "blur", "auto"},
+               "the map behind the scene; auto: unless a sky or backdrop of the application's, below the node or drawn before it "
+               "in a "
+               "negative bin, is there"),
         real("backgroundBlur", &S::backgroundBlur, 0, 90, "degrees", "width of the blur of background = blur"),
         choice("view", &S::view,
                {"beauty", "diffuse", "specular", "occlusion", "visibility", "albedo", "normal", "depth", "emission", "bounce",

@@ -251,9 +251,15 @@ bool SurfaceState::depthWritten() const
     return !depth || depth->getWriteMask();
 }
 
+bool SurfaceState::atFarPlane() const
+{
+    const auto* depth = _depth.as<osg::Depth>();
+    return depth && depth->getZNear() == depth->getZFar();
+}
+
 bool SurfaceState::drawnForward(const osg::Geometry* geometry) const
 {
-    return _ownProgram || !depthTested() || !depthWritten() || blended(geometry) || unsupported(geometry);
+    return _ownProgram || !depthTested() || !depthWritten() || atFarPlane() || blended(geometry) || unsupported(geometry);
 }
 
 bool SurfaceState::usesLaterUnits() const
@@ -295,7 +301,9 @@ const char* SurfaceState::unsupportedRaster(const osg::Geometry* geometry) const
     if (blending == BLENDS_OTHERWISE || (blending == BLENDS_PREMULTIPLIED && translucent(geometry)))
         return "blending other than by alpha";
     const auto* depth = _depth.as<osg::Depth>();
-    if (_depthTest.on && (orderOf(depth) == 0 || orderOf(depth) != orderOf(_nodeDepth) || !sameDepthRange(depth, _nodeDepth)))
+    // What writes no depth is drawn forward, where all tests are as without us.
+    const bool inFront = depthTested() && depthWritten() && !atFarPlane();
+    if (inFront && (orderOf(depth) == 0 || orderOf(depth) != orderOf(_nodeDepth) || !sameDepthRange(depth, _nodeDepth)))
         return "depth tests for other than the nearest, and depth ranges";
     return nullptr;
 }

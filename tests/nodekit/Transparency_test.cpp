@@ -64,6 +64,12 @@ osg::ref_ptr<LitScene> wallBehind(osg::Node* cards)
     return lit;
 }
 
+// With one context OSG does so itself as soon as it has uploaded it; other tests may have made more.
+void giveAway(osg::Texture2D& t)
+{
+    if (t.getImage()) t.setImage(nullptr);
+}
+
 void blend(osg::Node& node)
 {
     node.getOrCreateStateSet()->setMode(GL_BLEND, osg::StateAttribute::ON);
@@ -84,8 +90,8 @@ TEST(Transparency, ACardStaysTransparentWhenItsImageIsGone)
         EXPECT_NEAR(p.color(4, 16)[0], 1.0, 0.01) << "frame " << frame;  // the wall through the left half
         EXPECT_NEAR(p.color(4, 16)[1], 0.0, 0.01) << "frame " << frame;
         EXPECT_NEAR(p.color(28, 16)[1], 1.0, 0.01) << "frame " << frame;
+        giveAway(*t);
     }
-    EXPECT_FALSE(t->getImage()) << "the test wants a host that gives it away";
 }
 
 TEST(Transparency, ATextureThatWasUploadedBeforeWeSawItIsJudgedByItsFormat)
@@ -96,7 +102,7 @@ TEST(Transparency, ATextureThatWasUploadedBeforeWeSawItIsJudgedByItsFormat)
     green->getOrCreateStateSet()->setTextureAttributeAndModes(0, t.get());
     blend(*green);
     renderer.render(green, 2);  // without us
-    EXPECT_FALSE(t->getImage());
+    giveAway(*t);
     const Picture p = renderer.render(wallBehind(green), 2);
     EXPECT_NEAR(p.color(4, 16)[0], 1.0, 0.01);
     EXPECT_NEAR(p.color(28, 16)[1], 1.0, 0.01);
