@@ -296,6 +296,7 @@ void DeferredTechnique::addComposite(Cull& c, osgUtil::CullVisitor& cv)
     if (c.settings.view == Settings::LIGHT_LIST) c.view.textures().addSuns(state);
     if (!c.frame.composite) c.frame.composite = new FullScreen("composite", &c.view.timer("composite"), c.frame.triangle.get());
     prepare(*c.frame.composite, state, c);
+    c.frame.composite->owner = this;
     cv.pushStateSet(&state);
     cv.pushStateSet(c.frame.uniforms.get());
     cv.addDrawable(c.frame.composite.get(), cv.getModelViewMatrix());

@@ -40,10 +40,19 @@ void passClearOn(osgUtil::RenderStage& gbuffer, osgUtil::RenderStage& host)
     gbuffer.setClearColor(osg::Vec4());
 }
 
+unsigned contextOf(osgUtil::CullVisitor& cv)
+{
+    return cv.getState() ? cv.getState()->getContextID() : 0;
+}
+
 }  // namespace
 
 DeferredTechnique::DeferredTechnique()
-    : _facts(new SurfaceFacts), _sorter(new SurfaceSorter(_facts.get())), _failure(new Failure), _settings(new Settings)
+    : _facts(new SurfaceFacts),
+      _sorter(new SurfaceSorter(_facts.get())),
+      _failure(new Failure),
+      _settings(new Settings),
+      _retired(new RetiredObjects)
 {
     _library = new ShaderLibrary(_failure.get());
 }
@@ -52,7 +61,7 @@ bool DeferredTechnique::cull(LitScene& node, osgUtil::CullVisitor& cv)
 try {
     osgUtil::RenderBin* hostBin = cv.getCurrentRenderBin();
     osgUtil::RenderStage* host = hostBin ? hostBin->getStage() : nullptr;
-    if (!host || _failure->happened()) return false;
+    if (!host || _failure->happened(contextOf(cv))) return false;
     const osg::Viewport* viewport = host->getViewport();
     if (!viewport || !(viewport->width() >= 1.0) || !(viewport->height() >= 1.0)) return false;
     if (isDepthOnly(host->getCamera()) || dynamic_cast<const StageCamera*>(host->getCamera())) return false;
@@ -115,7 +124,7 @@ try {
     _lastView = &vd;
     return true;
 } catch (const std::runtime_error& error) {
-    _failure->report(error.what());
+    _failure->report(contextOf(cv), error.what());
     return false;
 }
 
@@ -196,20 +205,24 @@ ViewData& DeferredTechnique::view(osgUtil::CullVisitor& cv, osgUtil::RenderStage
 {
     for (auto it = _views.begin(); it != _views.end();) {
         const ViewData& v = *it->second;
-        const bool dead = !v.identifier.valid() || (v.hasCamera && !v.camera.valid());
+        const bool dead = !v.identifier.valid() || (v.hasCamera && !v.camera.valid()) || (v.hasContext && !v.context.valid());
         it = dead ? _views.erase(it) : std::next(it);
     }
     osg::Referenced* identifier = cv.getIdentifier() ? static_cast<osg::Referenced*>(cv.getIdentifier()) : &cv;
     const unsigned frame = cv.getFrameStamp() ? cv.getFrameStamp()->getFrameNumber() : 0;
-    for (auto it = _visits.begin(); it != _visits.end();) it = it->second.frame != frame ? _visits.erase(it) : std::next(it);
+    // Another viewer counts its own frames.
+    for (auto it = _visits.begin(); it != _visits.end();) it = it->second.cullVisitor.valid() ? std::next(it) : _visits.erase(it);
     Visit& visit = _visits[{&cv, host.getCamera()}];
-    if (visit.frame != frame) visit = {frame, 0};
-    osg::ref_ptr<ViewData>& vd = _views[{identifier, host.getCamera(), visit.count++}];
+    if (visit.frame != frame) visit = {&cv, frame, 0};
+    osg::ref_ptr<ViewData>& vd = _views[{identifier, host.getCamera(), cv.getState(), visit.count++}];
     if (!vd) {
-        vd = new ViewData(_failure.get());
+        vd = new ViewData(_failure.get(), _retired.get());
         vd->identifier = identifier;
         vd->camera = host.getCamera();
         vd->hasCamera = host.getCamera() != nullptr;
+        vd->context = cv.getState();
+        vd->hasContext = cv.getState() != nullptr;
+        vd->contextID = contextOf(cv);
     }
     return *vd;
 }
@@ -365,21 +378,50 @@ DeferredTechnique::Average DeferredTechnique::average() const
 size_t DeferredTechnique::bytes() const
 {
     std::lock_guard<std::mutex> lock(_mutex);
-    size_t sum = _textures ? _textures->bytes() : 0;
+    size_t sum = (_textures ? _textures->bytes() : 0) + (_albedoTable ? _albedoTable->getImage()->getTotalSizeInBytes() : 0);
     for (const auto& [key, view] : _views) sum += view->bytes();
-    return sum;
+    return sum + _retired->bytes();
 }
 
 void DeferredTechnique::resizeGLObjectBuffers(unsigned maximum)
 {
     std::lock_guard<std::mutex> lock(_mutex);
+    _library->resizeGLObjectBuffers(maximum);
+    if (_textures) _textures->resizeGLObjectBuffers(maximum);
+    if (_albedoTable) _albedoTable->resizeGLObjectBuffers(maximum);
     for (auto& [key, view] : _views) view->resizeGLObjectBuffers(maximum);
+}
+
+// A view that is not dropped is drawn in another context of the same number, which shares what is not a frame buffer.
+template <class Condition>
+void DeferredTechnique::release(osg::State* state, Condition drops) const
+{
+    std::lock_guard<std::mutex> lock(_mutex);
+    _library->releaseGLObjects(state);
+    if (_textures) _textures->releaseGLObjects(state);
+    if (_albedoTable) _albedoTable->releaseGLObjects(state);
+    _retired->releaseGLObjects(state);
+    for (auto it = _views.begin(); it != _views.end();) {
+        const bool dropped = drops(*it->second);
+        if (dropped) it->second->releaseGLObjects(state);
+        it = dropped ? _views.erase(it) : std::next(it);
+    }
+    if (state)
+        _failure->clear(state->getContextID());
+    else
+        _failure->clear();
 }
 
 void DeferredTechnique::releaseGLObjects(osg::State* state) const
 {
-    std::lock_guard<std::mutex> lock(_mutex);
-    for (const auto& [key, view] : _views) view->releaseGLObjects(state);
+    release(state, [&](const ViewData& view) { return !state || view.context == state; });
+}
+
+void DeferredTechnique::contextLost(unsigned contextID)
+{
+    const osg::ref_ptr<osg::State> state = new osg::State;
+    state->setContextID(contextID);
+    release(state.get(), [&](const ViewData& view) { return view.contextID == contextID; });
 }
 
 }  // namespace osgEnvLight

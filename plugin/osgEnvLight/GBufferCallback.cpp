@@ -41,10 +41,11 @@ void BindTargets::operator()(osg::RenderInfo& renderInfo) const
     GLint profile = 0;
     if (ext->glVersion >= 3.2f) glGetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
     if (profile & GL_CONTEXT_CORE_PROFILE_BIT)
-        _failure->report("this is a core profile of OpenGL, in which OpenSceneGraph's fixed-function state does not work");
+        _failure->report(state.getContextID(),
+                         "this is a core profile of OpenGL, in which OpenSceneGraph's fixed-function state does not work");
     bindFrameBuffer(state, *_target);
     if (ext->glCheckFramebufferStatus(GL_FRAMEBUFFER_EXT) != GL_FRAMEBUFFER_COMPLETE_EXT)
-        _failure->report("this OpenGL can't draw into the G-buffer's formats (frame buffer incomplete)");
+        _failure->report(state.getContextID(), "this OpenGL can't draw into the G-buffer's formats (frame buffer incomplete)");
     if (_timer) _timer->begin(state);
 }
 
@@ -95,6 +96,18 @@ void GBufferCallback::operator()(osg::Node* node, osg::NodeVisitor* nv)
     std::vector<ForwardGraph> leftOut;
     fill(
         *cv, *cv->getCurrentRenderBin(), nullptr, [] { return nullptr; }, leftOut, [&] { traverse(node, nv); });
+}
+
+void GBufferCallback::resizeGLObjectBuffers(unsigned maximum)
+{
+    _gbuffer->resizeGLObjectBuffers(maximum);
+    _stateSet->resizeGLObjectBuffers(maximum);
+}
+
+void GBufferCallback::releaseGLObjects(osg::State* state) const
+{
+    _gbuffer->releaseGLObjects(state);
+    _stateSet->releaseGLObjects(state);
 }
 
 osgUtil::StateGraph& GBufferCallback::push(osgUtil::CullVisitor& cv, osg::ref_ptr<osg::RefMatrix>& projection)

@@ -27,9 +27,23 @@ class QueryManager : public osg::GLObjectManager
 
 GpuTimer::~GpuTimer()
 {
-    for (auto& [contextID, ring] : _rings)
-        for (GLuint query : ring.queries)
-            if (query) osg::get<QueryManager>(contextID)->scheduleGLObjectForDeletion(query);
+    for (const auto& [contextID, ring] : _rings) destroy(contextID, ring);
+}
+
+void GpuTimer::releaseGLObjects(osg::State* state) const
+{
+    std::lock_guard<std::mutex> lock(_mutex);
+    for (auto it = _rings.begin(); it != _rings.end();) {
+        const bool released = !state || it->first == state->getContextID();
+        if (released) destroy(it->first, it->second);
+        it = released ? _rings.erase(it) : std::next(it);
+    }
+}
+
+void GpuTimer::destroy(unsigned contextID, const Ring& ring)
+{
+    for (GLuint query : ring.queries)
+        if (query) osg::get<QueryManager>(contextID)->scheduleGLObjectForDeletion(query);
 }
 
 void GpuTimer::create(Ring& ring, osg::State& state)

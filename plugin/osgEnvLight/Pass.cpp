@@ -83,6 +83,8 @@ FullScreen::FullScreen(const std::string& name, GpuTimer* timer, osg::Vec3Array*
 void FullScreen::drawImplementation(osg::RenderInfo& renderInfo) const
 {
     osg::State& state = *renderInfo.getState();
+    osg::ref_ptr<ContextWatch::Listener> listener;
+    if (owner.lock(listener)) ContextWatch::add(state, listener.get());
     const osg::Program::PerContextProgram* program = state.getLastAppliedProgramObject();
     if (!program) return;  // it has reported why
     const Uploader upload(*program, *state.get<osg::GLExtensions>());

@@ -184,7 +184,8 @@ void ReportingProgram::apply(osg::State& state) const
     }
     state.get<osg::GLExtensions>()->glUseProgram(0);
     state.setLastAppliedProgramObject(nullptr);
-    if (!_failure->happened()) _failure->report(getName() + " does not compile\n" + program.log());
+    if (!_failure->happened(state.getContextID()))
+        _failure->report(state.getContextID(), getName() + " does not compile\n" + program.log());
 }
 
 }  // namespace osgEnvLight

@@ -136,4 +136,16 @@ void ShaderLibrary::reload()
     _programs.clear();
 }
 
+void ShaderLibrary::resizeGLObjectBuffers(unsigned maximum)
+{
+    for (auto& [name, program] : _programs)
+        if (program) program->resizeGLObjectBuffers(maximum);
+}
+
+void ShaderLibrary::releaseGLObjects(osg::State* state) const
+{
+    for (const auto& [name, program] : _programs)
+        if (program) program->releaseGLObjects(state);  // null: its text is missing
+}
+
 }  // namespace osgEnvLight

@@ -36,15 +36,14 @@ ShadowTargets::ShadowTargets(unsigned mapSize, unsigned columnCount, unsigned ro
 
 void ShadowTargets::resizeGLObjectBuffers(unsigned maximum) const
 {
-    for (osg::Texture2D* t : {texture.get(), firstDepth.get(), firstSlope.get(), secondDepth.get()})
-        t->resizeGLObjectBuffers(maximum);
-    for (osg::FrameBufferObject* f : {maps.get(), first.get(), second.get()}) f->resizeGLObjectBuffers(maximum);
+    for (osg::Texture2D* t : textures()) t->resizeGLObjectBuffers(maximum);
+    for (osg::FrameBufferObject* f : frameBuffers()) f->resizeGLObjectBuffers(maximum);
 }
 
 void ShadowTargets::releaseGLObjects(osg::State* state) const
 {
-    for (osg::Texture2D* t : {texture.get(), firstDepth.get(), firstSlope.get(), secondDepth.get()}) t->releaseGLObjects(state);
-    for (osg::FrameBufferObject* f : {maps.get(), first.get(), second.get()}) f->releaseGLObjects(state);
+    for (osg::Texture2D* t : textures()) t->releaseGLObjects(state);
+    for (osg::FrameBufferObject* f : frameBuffers()) f->releaseGLObjects(state);
 }
 
 }  // namespace osgEnvLight

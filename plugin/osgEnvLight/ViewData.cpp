@@ -6,16 +6,6 @@
 namespace osgEnvLight
 {
 
-namespace
-{
-
-size_t bytesOf(GLint format)
-{
-    return format == GL_RGBA32F_ARB ? 16 : format == GL_R32F ? 4 : 8;
-}
-
-}  // namespace
-
 Target::Target(int width, int height, const std::vector<GLint>& formats, const StageCamera& plain, Failure* failure)
     : frameBuffer(new osg::FrameBufferObject), camera(new StageCamera(plain)), viewport(new osg::Viewport(0, 0, width, height))
 {
@@ -30,8 +20,7 @@ Target::Target(int width, int height, const std::vector<GLint>& formats, const S
 size_t Target::bytes() const
 {
     size_t sum = 0;
-    for (const auto& t : textures)
-        sum += size_t(t->getTextureWidth()) * size_t(t->getTextureHeight()) * bytesOf(t->getInternalFormat());
+    for (const auto& t : textures) sum += bytesOf(*t);
     return sum;
 }
 
@@ -145,6 +134,45 @@ osg::StateSet& Frame::sunState(const SunShadows& shadows)
     return *_sunState;
 }
 
+std::vector<osg::Drawable*> Frame::drawables() const
+{
+    std::vector<osg::Drawable*> all;
+    if (composite) all.push_back(composite.get());
+    for (const auto& [name, pass] : passes) all.push_back(&pass->drawable());
+    return all;
+}
+
+void Frame::resizeGLObjectBuffers(unsigned maximum)
+{
+    for (osg::Drawable* drawable : drawables()) drawable->resizeGLObjectBuffers(maximum);
+    for (osg::StateSet* s : {fillState.get(), forwardState.get()})
+        if (s) s->resizeGLObjectBuffers(maximum);
+    for (auto& [name, atlas] : _atlasStates) atlas.uniforms->resizeGLObjectBuffers(maximum);
+}
+
+void Frame::releaseGLObjects(osg::State* state) const
+{
+    for (const osg::Drawable* drawable : drawables()) drawable->releaseGLObjects(state);
+    for (const osg::StateSet* s : {fillState.get(), forwardState.get()})
+        if (s) s->releaseGLObjects(state);
+    for (const auto& [name, atlas] : _atlasStates) atlas.uniforms->releaseGLObjects(state);
+}
+
+size_t Frame::bytes() const
+{
+    size_t sum = 0;
+    for (const auto& [name, atlas] : _atlasStates) {
+        const osg::StateAttribute* lights = atlas.uniforms->getTextureAttribute(atlasLightUnit, osg::StateAttribute::TEXTURE);
+        if (lights) sum += bytesOf(static_cast<const osg::Texture2D&>(*lights));
+    }
+    return sum;
+}
+
+void Frame::retire(RetiredObjects& retired) const
+{
+    for (osg::Drawable* drawable : drawables()) retired.add(drawable);
+}
+
 void ViewData::fit(int width, int height, MapTextures* textures)
 {
     const bool sizeChanged = width != _width || height != _height;
@@ -152,6 +180,7 @@ void ViewData::fit(int width, int height, MapTextures* textures)
         _width = width;
         _height = height;
         _viewport = new osg::Viewport(0, 0, width, height);
+        retireAll();
         _gbuffer = nullptr;
         _targets.clear();
         _frames.clear();
@@ -171,22 +200,40 @@ Target& ViewData::target(const std::string& pass, const std::vector<GLint>& form
 {
     osg::ref_ptr<Target>& target = _targets[pass];
     if (!target || (!formats.empty() && formats.size() != target->textures.size())) {
+        if (target) retire(*target);
         target = new Target(side ? side : _width, side ? side : _height, formats, *_plainCamera, _failure.get());
         _states.clear();  // those that read the pass's former target
     }
     return *target;
 }
 
+void ViewData::dropTarget(const std::string& pass)
+{
+    const auto found = _targets.find(pass);
+    if (found == _targets.end()) return;
+    retire(*found->second);
+    _targets.erase(found);
+}
+
 ViewData::Atlas& ViewData::atlas(const std::string& pass, unsigned lights, unsigned size)
 {
     Atlas& atlas = _atlases[pass];
     if (!atlas.maps || atlas.maps->lights != lights || atlas.maps->size != size) {
+        if (atlas.maps) retire(atlas.maps->targets());
         atlas.maps = new ShadowAtlas(lights, size);
         atlas.camera = new StageCamera(*_plainCamera);
         BindTargets::install(*atlas.camera, atlas.maps->targets().maps, nullptr, _failure.get());
         _states.clear();  // those that read the former one
     }
     return atlas;
+}
+
+void ViewData::dropAtlas(const std::string& pass)
+{
+    const auto found = _atlases.find(pass);
+    if (found == _atlases.end()) return;
+    retire(found->second.maps->targets());
+    _atlases.erase(found);
 }
 
 Accumulation& ViewData::accumulation()
@@ -200,12 +247,19 @@ SunShadows& ViewData::sunShadows(unsigned suns, unsigned levels, unsigned size)
     if (_sunShadows && _sunShadows->suns == suns) levels = std::max(levels, _sunShadows->levels);
     size = SunShadows::sizeOf(suns * levels, size);
     if (!_sunShadows || _sunShadows->suns != suns || _sunShadows->levels != levels || _sunShadows->size != size) {
+        dropSunShadows();
         _sunShadows = new SunShadows(suns, levels, size);
         _sunCamera = new StageCamera(*_plainCamera);
         BindTargets::install(*_sunCamera, _sunShadows->targets().maps, nullptr, _failure.get());
         _states.clear();  // those that read the former ones
     }
     return *_sunShadows;
+}
+
+void ViewData::dropSunShadows()
+{
+    if (_sunShadows) retire(_sunShadows->targets());
+    _sunShadows = nullptr;
 }
 
 ViewData::State ViewData::state(const std::string& key)
@@ -230,6 +284,37 @@ Frame& ViewData::frame(const osg::Referenced* cullVisitor)
     return *frame;
 }
 
+ViewData::~ViewData()
+{
+    retireAll();
+    for (const auto& [pass, atlas] : _atlases) retire(atlas.maps->targets());
+    dropSunShadows();
+}
+
+// All that is of the view's size.
+void ViewData::retireAll() const
+{
+    if (_gbuffer) {
+        for (const auto* t : {&_gbuffer->albedo, &_gbuffer->normal, &_gbuffer->specular, &_gbuffer->emission, &_gbuffer->depth})
+            _retired->add(t->get());
+        _retired->add(_gbuffer->frameBuffer());
+    }
+    for (const auto& [pass, target] : _targets) retire(*target);
+    for (const auto& [cullVisitor, frame] : _frames) frame->retire(*_retired);
+}
+
+void ViewData::retire(const Target& target) const
+{
+    for (const auto& t : target.textures) _retired->add(t.get());
+    _retired->add(target.frameBuffer.get());
+}
+
+void ViewData::retire(const ShadowTargets& targets) const
+{
+    for (osg::Texture2D* t : targets.textures()) _retired->add(t);
+    for (osg::FrameBufferObject* f : targets.frameBuffers()) _retired->add(f);
+}
+
 void ViewData::resizeGLObjectBuffers(unsigned maximum)
 {
     if (_gbuffer) _gbuffer->resizeGLObjectBuffers(maximum);
@@ -242,10 +327,7 @@ void ViewData::resizeGLObjectBuffers(unsigned maximum)
         target->frameBuffer->resizeGLObjectBuffers(maximum);
     }
     for (auto& [key, stateSet] : _states) stateSet->resizeGLObjectBuffers(maximum);
-    for (auto& [cullVisitor, frame] : _frames) {
-        if (frame->composite) frame->composite->resizeGLObjectBuffers(maximum);
-        for (auto& [name, pass] : frame->passes) pass->drawable().resizeGLObjectBuffers(maximum);
-    }
+    for (auto& [cullVisitor, frame] : _frames) frame->resizeGLObjectBuffers(maximum);
 }
 
 void ViewData::releaseGLObjects(osg::State* state) const
@@ -254,17 +336,14 @@ void ViewData::releaseGLObjects(osg::State* state) const
     if (_textures) _textures->releaseGLObjects(state);
     for (const auto& [pass, atlas] : _atlases) atlas.maps->releaseGLObjects(state);
     if (_sunShadows) _sunShadows->releaseGLObjects(state);
-    if (_accumulation) _accumulation->reset();
     if (surroundings.seen) surroundings.seen->releaseGLObjects(state);
     for (const auto& [name, target] : _targets) {
         for (const auto& t : target->textures) t->releaseGLObjects(state);
         target->frameBuffer->releaseGLObjects(state);
     }
     for (const auto& [key, stateSet] : _states) stateSet->releaseGLObjects(state);
-    for (const auto& [cullVisitor, frame] : _frames) {
-        if (frame->composite) frame->composite->releaseGLObjects(state);
-        for (const auto& [name, pass] : frame->passes) pass->drawable().releaseGLObjects(state);
-    }
+    for (const auto& [pass, timer] : _timers) timer->releaseGLObjects(state);
+    for (const auto& [cullVisitor, frame] : _frames) frame->releaseGLObjects(state);
 }
 
 size_t ViewData::bytes() const
@@ -273,6 +352,7 @@ size_t ViewData::bytes() const
     size_t sum = (_gbuffer ? 36 * pixels : 0) + (_sunShadows ? _sunShadows->bytes() : 0);
     for (const auto& [pass, atlas] : _atlases) sum += atlas.maps->bytes();
     for (const auto& [name, target] : _targets) sum += target->bytes();
+    for (const auto& [cullVisitor, frame] : _frames) sum += frame->bytes();
     return sum;
 }
 
