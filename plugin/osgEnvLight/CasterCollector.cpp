@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace osgEnvLight
 {
@@ -49,6 +50,15 @@ std::vector<Caster> CasterCollector::collect(osg::Group& group)
 {
     for (unsigned i = 0; i < group.getNumChildren(); ++i) group.getChild(i)->accept(*this);
     return std::move(_casters);
+}
+
+void CasterCollector::forgetUnused(StateSets& stateSets, const std::vector<Caster>& casters)
+{
+    if (stateSets.empty()) return;
+    std::set<const osg::StateSet*> used;
+    for (const Caster& caster : casters) used.insert(caster.state.get());
+    for (auto it = stateSets.begin(); it != stateSets.end();)
+        it = used.count(it->second.get()) ? std::next(it) : stateSets.erase(it);
 }
 
 float CasterCollector::getDistanceToEyePoint(const osg::Vec3& pos, bool withLODScale) const

@@ -70,7 +70,8 @@ try {
     const osg::ref_ptr<const Settings> settings = currentSettings(node);
     const osg::ref_ptr<MapTextures> textures = currentTextures(node, *settings, cv);
     if (!textures) return false;
-    ViewData& vd = view(cv, *host);
+    const osg::ref_ptr<ViewData> held = &view(cv, *host);  // its context may end
+    ViewData& vd = *held;
     vd.fit(int(viewport->width()), int(viewport->height()), textures.get());
     GBuffer& gbuffer = node.getGBuffer() ? *node.getGBuffer() : vd.gbuffer();
     if (gbuffer.width != vd.width() || gbuffer.height != vd.height()) {
@@ -108,9 +109,11 @@ try {
     if ((needed && Plan::wantsAtlas(*settings)) || (sunny && shows))
         c.casters = CasterCollector(cv, worldFromEye, vd.casterStates, _facts.get()).collect(node);
 
+    c.away = !shows && radius > 0.0;
+    if (!c.away) CasterCollector::forgetUnused(vd.casterStates, c.casters);
+
     lock.lock();
     const DiffuseCarrier carrier = needed ? textures->carrier() : DiffuseCarrier();
-    c.away = !shows && radius > 0.0;
     vd.plan = Plan::make(*settings, vd.plan.surfaces, radianceScale <= 0.0, radius, carrier, textures->sunShare(),
                          c.casters.size(), c.ownGBuffer);
     vd.plan.reasons.back().reason += ", " + behind;  // of the composite
@@ -121,6 +124,7 @@ try {
     addComposite(c, cv);
     if (vd.plan.surfaces.litForward > 0) setForwardState(c);
     for (const ForwardGraph& f : forward) f.bin->addStateGraph(f.graph);
+    vd.forgetUnused(c.frame);
     _lastView = &vd;
     return true;
 } catch (const std::runtime_error& error) {

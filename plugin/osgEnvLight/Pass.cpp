@@ -105,7 +105,7 @@ void FullScreen::drawImplementation(osg::RenderInfo& renderInfo) const
     for (unsigned unit = 0; unit < textureUnits; ++unit) state.haveAppliedTextureAttribute(unit, osg::StateAttribute::TEXTURE);
 }
 
-void prepareStage(osgUtil::RenderStage& stage, osgUtil::RenderStage& host, osg::Camera& camera, osg::Viewport& viewport,
+void prepareStage(PassStage& stage, osgUtil::RenderStage& host, osg::Camera& camera, osg::Viewport& viewport,
                   GLbitfield clearMask)
 {
     stage.setPositionalStateContainer(nullptr);  // reset() would empty it, and below it may be the host's
@@ -114,6 +114,7 @@ void prepareStage(osgUtil::RenderStage& stage, osgUtil::RenderStage& host, osg::
     stage.setCamera(nullptr);
     stage.setCamera(&camera);
     stage.setCameraRequiresSetUp(false);  // its callbacks bind the target: OSG would only print that it sets up a frame buffer
+    stage.ownCamera = &camera;
     stage.setViewport(&viewport);
     // State caches one draw buffer for all frame buffers, so none is set here.
     stage.setDrawBuffer(GL_NONE, false);
@@ -136,6 +137,8 @@ void Pass::add(osgUtil::RenderStage& host, osg::Camera& camera, osg::Viewport& v
 {
     prepareStage(*_stage, host, camera, viewport, 0);
     _stage->root->clean();
+    _stage->root->prune();  // of the former frame's state sets, which hold textures
+    _added = true;
     osgUtil::StateGraph* graph = _stage->root->find_or_insert(&state)->find_or_insert(&uniforms);
     if (!_stage->leaf)
         _stage->leaf = new osgUtil::RenderLeaf(_drawable.get(), projection, modelView);

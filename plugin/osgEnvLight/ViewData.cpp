@@ -2,6 +2,7 @@
 #include <osgEnvLight/ViewData>
 
 #include <algorithm>
+#include <utility>
 
 namespace osgEnvLight
 {
@@ -25,7 +26,7 @@ size_t Target::bytes() const
 }
 
 Frame::Frame()
-    : gbufferStage(new osgUtil::RenderStage),
+    : gbufferStage(new PassStage),
       uniforms(new osg::StateSet),
       _sceneRadius(new osg::Uniform("sceneRadius", 0.0f)),
       _radianceScale(new osg::Uniform("radianceScale", 0.0f)),
@@ -91,6 +92,7 @@ void Frame::setUniforms(const Accumulation* still)
 osg::StateSet& Frame::atlasState(const std::string& name, const ShadowAtlas& atlas, const ShadowAtlas* finer, double scale)
 {
     AtlasState& a = _atlasStates[name];
+    a.used = true;
     if (!a.uniforms) {
         a.uniforms = new osg::StateSet(*uniforms);
         a.uniforms->addUniform(new osg::Uniform("atlasLightMap", int(atlasLightUnit)));
@@ -126,6 +128,7 @@ osg::StateSet& Frame::atlasState(const std::string& name, const ShadowAtlas& atl
 osg::StateSet& Frame::sunState(const SunShadows& shadows)
 {
     if (!_sunState) _sunState = new osg::StateSet(*uniforms);
+    _sunUsed = true;
     if (_sunShadows != &shadows || _sunVersion != shadows.version()) {
         shadows.setUniforms(*_sunState);
         _sunShadows = &shadows;
@@ -171,6 +174,21 @@ size_t Frame::bytes() const
 void Frame::retire(RetiredObjects& retired) const
 {
     for (osg::Drawable* drawable : drawables()) retired.add(drawable);
+}
+
+void Frame::forgetUnused(RetiredObjects& retired)
+{
+    for (auto it = passes.begin(); it != passes.end();) {
+        const bool used = it->second->takeAdded();
+        if (!used) {
+            retired.add(&it->second->drawable());
+            atlasRefreshes.erase(it->first);
+        }
+        it = used ? std::next(it) : passes.erase(it);
+    }
+    for (auto it = _atlasStates.begin(); it != _atlasStates.end();)
+        it = std::exchange(it->second.used, false) ? std::next(it) : _atlasStates.erase(it);
+    if (!std::exchange(_sunUsed, false)) _sunShadows = nullptr;
 }
 
 void ViewData::fit(int width, int height, MapTextures* textures)
@@ -264,10 +282,11 @@ void ViewData::dropSunShadows()
 
 ViewData::State ViewData::state(const std::string& key)
 {
-    osg::ref_ptr<osg::StateSet>& stateSet = _states[key];
-    const bool isNew = !stateSet;
-    if (isNew) stateSet = new osg::StateSet;
-    return {*stateSet, isNew};
+    KeptState& kept = _states[key];
+    const bool isNew = !kept.stateSet;
+    if (isNew) kept.stateSet = new osg::StateSet;
+    kept.lastCull = _cull;
+    return {*kept.stateSet, isNew};
 }
 
 GpuTimer& ViewData::timer(const std::string& pass)
@@ -281,7 +300,21 @@ Frame& ViewData::frame(const osg::Referenced* cullVisitor)
 {
     osg::ref_ptr<Frame>& frame = _frames[cullVisitor];
     if (!frame) frame = new Frame;
+    frame->lastCull = _cull;
     return *frame;
+}
+
+void ViewData::forgetUnused(Frame& current)
+{
+    const unsigned idle = 4;  // culls; the frames of a view take turns
+    current.forgetUnused(*_retired);
+    for (auto it = _states.begin(); it != _states.end();) it = it->second.lastCull == _cull ? std::next(it) : _states.erase(it);
+    for (auto it = _frames.begin(); it != _frames.end();) {
+        const bool used = _cull - it->second->lastCull < idle;
+        if (!used) it->second->retire(*_retired);
+        it = used ? std::next(it) : _frames.erase(it);
+    }
+    ++_cull;
 }
 
 ViewData::~ViewData()
@@ -326,7 +359,7 @@ void ViewData::resizeGLObjectBuffers(unsigned maximum)
         for (auto& t : target->textures) t->resizeGLObjectBuffers(maximum);
         target->frameBuffer->resizeGLObjectBuffers(maximum);
     }
-    for (auto& [key, stateSet] : _states) stateSet->resizeGLObjectBuffers(maximum);
+    for (auto& [key, kept] : _states) kept.stateSet->resizeGLObjectBuffers(maximum);
     for (auto& [cullVisitor, frame] : _frames) frame->resizeGLObjectBuffers(maximum);
 }
 
@@ -341,7 +374,7 @@ void ViewData::releaseGLObjects(osg::State* state) const
         for (const auto& t : target->textures) t->releaseGLObjects(state);
         target->frameBuffer->releaseGLObjects(state);
     }
-    for (const auto& [key, stateSet] : _states) stateSet->releaseGLObjects(state);
+    for (const auto& [key, kept] : _states) kept.stateSet->releaseGLObjects(state);
     for (const auto& [pass, timer] : _timers) timer->releaseGLObjects(state);
     for (const auto& [cullVisitor, frame] : _frames) frame->releaseGLObjects(state);
 }

@@ -20,7 +20,7 @@ GlObjects countGlObjects(osg::State& state)
     const auto* ext = state.get<osg::GLExtensions>();
     auto isFrameBuffer = reinterpret_cast<GLboolean (*)(GLuint)>(osg::getGLExtensionFuncPtr("glIsFramebuffer"));
     GlObjects n;
-    for (GLuint i = 1; i < 4096; ++i) {
+    for (GLuint i = 1; i < 65536; ++i) {  // names are not used again at once
         n.textures += glIsTexture(i);
         n.buffers += ext->glIsBuffer(i);
         n.frameBuffers += isFrameBuffer(i);
