@@ -21,9 +21,15 @@ const unsigned off = osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE | 
 
 osg::StateSet& DeferredTechnique::gbufferState(Cull& c)
 {
-    ViewData::State state = c.view.state("gbuffer");
-    if (state.isNew)
-        GBufferCallback::setState(state.stateSet, _library->program("pass/surface.vert", "pass/gbuffer.frag"), c.view.viewport());
+    const DepthConvention& depth = c.depth;
+    const bool plain = !depth.reversed && depth.near == 0.0 && depth.far == 1.0;
+    ViewData::State state = c.view.state(plain ? "gbuffer" : depth.grows() ? "gbuffer growing" : "gbuffer falling");
+    if (!state.isNew) return state.stateSet;
+    GBufferCallback::setState(state.stateSet, _library->program("pass/surface.vert", "pass/gbuffer.frag"), c.view.viewport());
+    const double near = depth.grows() ? 0.0 : 1.0;
+    if (!plain)
+        state.stateSet.setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, near, 1.0 - near),
+                                            osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE);
     return state.stateSet;
 }
 
@@ -35,7 +41,9 @@ void DeferredTechnique::bind(osg::StateSet& stateSet, unsigned unit, const Sampl
 
 osg::StateSet& DeferredTechnique::passState(Cull& c, const std::string& name, const PassInputs& inputs)
 {
-    std::string key = name + " " + std::to_string(inputs.lights) + (inputs.adds ? " adds" : "");
+    const bool composite = name == "composite";
+    const bool reversed = composite && c.depth.reversed;
+    std::string key = name + " " + std::to_string(inputs.lights) + (inputs.adds ? " adds" : "") + (reversed ? " reversed" : "");
     for (const std::string& d : inputs.defines) key += " " + d;
     ViewData::State state = c.view.state(key);
     osg::StateSet& s = state.stateSet;
@@ -47,9 +55,8 @@ osg::StateSet& DeferredTechnique::passState(Cull& c, const std::string& name, co
     for (GLenum plane = GL_CLIP_PLANE0; plane < GL_CLIP_PLANE0 + 6; ++plane) s.setMode(plane, off);
     if (inputs.adds) s.setAttributeAndModes(new osg::BlendFunc(GL_ONE, GL_ONE), on);
     s.setAttribute(new osg::PolygonMode, on);
-    const bool composite = name == "composite";
-    s.setAttributeAndModes(new osg::Depth(composite ? osg::Depth::LEQUAL : osg::Depth::ALWAYS, 0, 1, composite),
-                           composite ? on : off);
+    const auto test = reversed ? osg::Depth::GEQUAL : osg::Depth::LEQUAL;
+    s.setAttributeAndModes(new osg::Depth(composite ? test : osg::Depth::ALWAYS, 0, 1, composite), composite ? on : off);
     if (!composite) s.setAttribute(inputs.viewport ? inputs.viewport : c.view.viewport());
     std::vector<Sampler> all = {{"albedoMap", c.gbuffer.albedo.get()},
                                 {"normalMap", c.gbuffer.normal.get()},
@@ -78,6 +85,7 @@ void DeferredTechnique::prepare(FullScreen& triangle, const osg::StateSet& state
     triangle.textureUnits = std::max(state.getNumTextureAttributeLists(), c.view.plan.atlas ? Frame::atlasLightUnit + 1 : 0u);
     triangle.mapFromWorld = c.mapFromWorld;
     triangle.subpixel = c.subpixel;
+    triangle.depth = c.depth;
     triangle.timed = c.timed;
 }
 

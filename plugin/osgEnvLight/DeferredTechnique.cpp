@@ -40,6 +40,27 @@ void passClearOn(osgUtil::RenderStage& gbuffer, osgUtil::RenderStage& host)
     gbuffer.setClearColor(osg::Vec4());
 }
 
+bool overlaps(const osg::Viewport* a, const osg::Viewport* b)
+{
+    return a && b && a->x() < b->x() + b->width() && b->x() < a->x() + a->width() && a->y() < b->y() + b->height() &&
+           b->y() < a->y() + a->height();
+}
+
+// A camera before the host's has cleared these colours and drawn into them: the far part of a depth partition, a backdrop.
+bool drawsOverAnother(const osg::Camera* host)
+{
+    const osg::GraphicsContext* context = host ? host->getGraphicsContext() : nullptr;
+    if (!context || (host->getClearMask() & GL_COLOR_BUFFER_BIT)) return false;
+    for (const osg::Camera* other : const_cast<osg::GraphicsContext*>(context)->getCameras()) {
+        const bool before = std::make_pair(other->getRenderOrder(), other->getRenderOrderNum()) <=
+                            std::make_pair(host->getRenderOrder(), host->getRenderOrderNum());
+        if (other != host && before && (other->getClearMask() & GL_COLOR_BUFFER_BIT) && other->getBufferAttachmentMap().empty() &&
+            host->getBufferAttachmentMap().empty() && overlaps(other->getViewport(), host->getViewport()))
+            return true;
+    }
+    return false;
+}
+
 unsigned contextOf(osgUtil::CullVisitor& cv)
 {
     return cv.getState() ? cv.getState()->getContextID() : 0;
@@ -96,6 +117,7 @@ try {
     const osg::Matrixd worldFromEye =
         host->getInitialViewMatrix() ? osg::Matrixd::inverse(*host->getInitialViewMatrix()) : osg::Matrixd();
     c.worldFromEye = worldFromEye;
+    if (c.ownGBuffer) c.depth = DepthConvention::of(*cv.getCurrentStateGraph());
     c.frame.setUniforms(*settings, radius, radianceScale, *textures, worldFromEye * c.mapFromWorld, c.baseStops());
     const bool sunny = Plan::wantsSunShadows(*settings) && radianceScale > 0.0 && !textures->suns().empty();
     lock.unlock();
@@ -333,6 +355,11 @@ std::string DeferredTechnique::chooseBackground(Cull& c, const std::vector<Forwa
         if (!backdrop.empty()) return backdrop + " behind";
     }
     if (c.background == Settings::BACKGROUND_OFF) return "the background switched off";
+    const bool keepsColors = c.settings.background == Settings::BACKGROUND_AUTO && !(c.host.getClearMask() & GL_COLOR_BUFFER_BIT);
+    if (keepsColors || drawsOverAnother(c.host.getCamera())) {
+        c.background = Settings::BACKGROUND_OFF;
+        return "the colours behind that the host does not clear";
+    }
     return c.background == Settings::BACKGROUND_BLUR ? "the map behind, blurred" : "the map behind";
 }
 

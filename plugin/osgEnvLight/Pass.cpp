@@ -88,8 +88,8 @@ void FullScreen::drawImplementation(osg::RenderInfo& renderInfo) const
     const osg::Program::PerContextProgram* program = state.getLastAppliedProgramObject();
     if (!program) return;  // it has reported why
     const Uploader upload(*program, *state.get<osg::GLExtensions>());
-    const osg::Matrixd projection =
-        osg::Matrixd(state.getProjectionMatrix()) * osg::Matrixd::translate(subpixel[0], subpixel[1], 0.0);
+    const osg::Matrixd projection = osg::Matrixd(state.getProjectionMatrix()) * depth.fromHostClip() *
+                                    osg::Matrixd::translate(subpixel[0], subpixel[1], 0.0);
     const osg::Matrixd eyeToWorld = osg::Matrixd::inverse(state.getInitialViewMatrix());
     const auto* viewport = static_cast<const osg::Viewport*>(state.getLastAppliedAttribute(osg::StateAttribute::VIEWPORT));
     upload.matrix4("projection", projection);
@@ -98,6 +98,7 @@ void FullScreen::drawImplementation(osg::RenderInfo& renderInfo) const
     upload.matrix4("atlasFromEye", eyeToWorld * osg::Matrixd::translate(-atlasOrigin));
     upload.vec2("viewportSize", viewport->width(), viewport->height());
     upload.vec2("viewportOrigin", viewport->x(), viewport->y());
+    upload.vec2("hostDepth", depth.toHostDepth()[0], depth.toHostDepth()[1]);
     if (timed) _timer->begin(state);
     osg::Geometry::drawImplementation(renderInfo);
     if (timed) _timer->end(state);

@@ -17,11 +17,13 @@ vec3 viewRay(mat4 inverseProjection, vec2 ndc)
     return normalize(eyeFromDepth(inverseProjection, ndc, 0.5) - eyeFromDepth(inverseProjection, ndc, 0.0));
 }
 
-// The same through an eye point: column 2 is the centre of projection, which for parallel rays lies at infinity.
+// The same through an eye point: column 2 is the centre of projection, which for parallel rays lies at infinity. Its sign is
+// that in which depths grow.
 vec3 viewRayAt(mat4 inverseProjection, vec3 p)
 {
     vec4 centre = inverseProjection[2];
-    return normalize(vec3(centre) - centre.w * p);
+    float away = centre.w != 0.0 ? -centre.w : -centre.z;
+    return normalize((vec3(centre) - centre.w * p) * (away < 0.0 ? -1.0 : 1.0));
 }
 
 // Length in eye units of one pixel's side at depth, across the view ray.

@@ -10,6 +10,7 @@
 uniform sampler2D diffuseLightMap;
 uniform float sceneRadius;
 uniform vec2 viewportOrigin;
+uniform vec2 hostDepth;  // offset and factor: from the G-buffer's depth to the host's
 #ifdef ACCUMULATED
 uniform sampler2D stillMap;        // the picture of the first frame
 uniform sampler2D accumulatedMap;  // weighted sum of all later ones
@@ -82,7 +83,7 @@ void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy - viewportOrigin);
     float depth = texelFetch(depthMap, p, 0).r;
-    gl_FragDepth = depth;
+    gl_FragDepth = hostDepth.x + hostDepth.y * depth;
     vec3 d = mapFromEye * viewRay(inverseProjection, pixelNdc(p));
 #ifdef VIEW_TERM
     float pixel = length(dFdx(d));
