@@ -67,15 +67,20 @@ void addAttribute(Mixer& mixer, const osg::StateAttribute& attribute)
     }
 }
 
-uint64_t numberOf(const osg::StateSet& state, bool uniforms)
+// Above the top, each of a view's two SceneViews has a state set of its own, with its colour mask and viewport.
+uint64_t numberOf(const osg::StateSet& state, bool below)
 {
     Mixer mixer;
-    mixer.add(&state);
-    for (const auto& [type, attribute] : state.getAttributeList()) addAttribute(mixer, *attribute.first);
+    if (below) mixer.add(&state);
+    for (const auto& [type, attribute] : state.getAttributeList()) {
+        const bool ofSceneView =
+            !below && (type.first == osg::StateAttribute::COLORMASK || type.first == osg::StateAttribute::VIEWPORT);
+        if (!ofSceneView) addAttribute(mixer, *attribute.first);
+    }
     for (const auto& list : state.getTextureAttributeList())
         for (const auto& [type, attribute] : list) addAttribute(mixer, *attribute.first);
     for (const auto& [name, uniform] : state.getUniformList()) {
-        if (!uniforms) break;
+        if (!below) break;
         mixer.add(uniform.first.get());
         mixer.add(uniform.first->getModifiedCount());
     }
@@ -115,10 +120,10 @@ class SurfaceMixer
         for (const auto& set : geometry->getPrimitiveSetList()) _mixer.add(set->getModifiedCount());
     }
 
-    uint64_t stateNumber(const osg::StateSet& state, bool uniforms)
+    uint64_t stateNumber(const osg::StateSet& state, bool below)
     {
         const auto [found, isNew] = _states.emplace(&state, 0);
-        if (isNew) found->second = numberOf(state, uniforms);
+        if (isNew) found->second = numberOf(state, below);
         return found->second;
     }
 

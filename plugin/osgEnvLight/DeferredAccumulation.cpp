@@ -3,7 +3,6 @@
 #include <osgEnvLight/DeferredTechnique>
 
 #include <osgUtil/CullVisitor>
-#include <osgViewer/View>
 
 #include <cmath>
 
@@ -96,8 +95,6 @@ void DeferredTechnique::advanceStillView(Cull& c, osgUtil::CullVisitor& cv)
         }
         for (Plan::Reason& r : v.plan.reasons)
             if (r.pass == "accumulate") r.reason = describe(a, c.settings);
-        auto* view = dynamic_cast<osgViewer::View*>(cv.getRenderInfo().getView());
-        if (view && !c.rests()) view->requestRedraw();
     }
     if (c.frame.subpixel) c.frame.subpixel->set(osg::Vec2(c.subpixel));
 }

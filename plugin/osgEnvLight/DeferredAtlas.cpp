@@ -3,7 +3,6 @@
 #include <osgEnvLight/DeferredTechnique>
 
 #include <osgUtil/CullVisitor>
-#include <osgViewer/View>
 
 #include <sstream>
 
@@ -123,8 +122,6 @@ void DeferredTechnique::addAtlas(Cull& c, osgUtil::CullVisitor& cv)
     }
     const ViewData::Surroundings& s = c.view.surroundings;
     _waitingMaps = waiting + (s.frames > 0 && s.frames < s.known ? 1 : 0);
-    auto* view = dynamic_cast<osgViewer::View*>(cv.getRenderInfo().getView());
-    if (view && _waitingMaps > 0) view->requestRedraw();
 }
 
 unsigned DeferredTechnique::refreshAtlas(Cull& c, osgUtil::CullVisitor& cv, const std::string& name, ViewData::Atlas& own,

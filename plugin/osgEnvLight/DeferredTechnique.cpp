@@ -6,10 +6,9 @@
 
 #include <osg/FrameStamp>
 #include <osg/Notify>
-#include <osg/View>
 #include <osgUtil/CullVisitor>
-#include <osgViewer/View>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -147,6 +146,8 @@ try {
     if (vd.plan.surfaces.litForward > 0) setForwardState(c);
     for (const ForwardGraph& f : forward) f.bin->addStateGraph(f.graph);
     vd.forgetUnused(c.frame);
+    vd.unsettled = !hasSettled(c);
+    vd.seenUpdates = _updates;
     _lastView = &vd;
     return true;
 } catch (const std::runtime_error& error) {
@@ -183,9 +184,6 @@ osg::ref_ptr<MapTextures> DeferredTechnique::currentTextures(const LitScene& nod
     if (!_started || frame != _checkedFrame) {
         _checkedFrame = frame;
         regenerate(map.state(), settings, map.getLights());
-        osgViewer::View* view =
-            cv.getRenderInfo().getView() ? dynamic_cast<osgViewer::View*>(cv.getRenderInfo().getView()) : nullptr;
-        if (view && (_regenerator.busy() || (_textures && !_textures->settled()))) view->requestRedraw();
     }
     if (_textures) _textures->use(MapOptions(settings, map.getLights()));
     return _textures;
@@ -369,6 +367,22 @@ void DeferredTechnique::reloadShaders()
     _library->reload();
     _failure->clear();
     for (auto& [key, view] : _views) view->forgetPrograms();
+}
+
+bool DeferredTechnique::hasSettled(const Cull& c) const
+{
+    const bool converges = c.still && c.still->frames() < unsigned(c.settings.accumulateFrames);
+    return !converges && _waitingMaps == 0 && !_regenerator.busy() && c.view.textures().settled();
+}
+
+bool DeferredTechnique::unsettled()
+{
+    const unsigned patience = 8;
+    std::lock_guard<std::mutex> lock(_mutex);
+    ++_updates;
+    return std::any_of(_views.begin(), _views.end(), [&](const auto& view) {
+        return view.second->unsettled && _updates - view.second->seenUpdates <= patience;
+    });
 }
 
 unsigned DeferredTechnique::numViews() const

@@ -4,6 +4,7 @@
 #include <osgEnvLight/StatsLines>
 
 #include <osg/Notify>
+#include <osgDB/DatabasePager>
 #include <osgGA/EventVisitor>
 #include <osgUtil/CullVisitor>
 #include <osgUtil/GLObjectsVisitor>
@@ -60,7 +61,11 @@ void LitScene::traverse(osg::NodeVisitor& nv)
     if (dynamic_cast<osgUtil::GLObjectsVisitor*>(&nv)) _technique->lookBeforeUpload(*this);
     osg::Image* image = _map->getImage();
     const bool plays = image && image->requiresUpdateCall();
-    if (nv.getVisitorType() == osg::NodeVisitor::EVENT_VISITOR) askForUpdates(plays);
+    const bool events = nv.getVisitorType() == osg::NodeVisitor::EVENT_VISITOR;
+    if (events || nv.getVisitorType() == osg::NodeVisitor::UPDATE_VISITOR) {
+        followFrame(nv);
+        askForUpdates(plays || _asksForFrames);
+    }
     // A sequence of images goes on by this call; for a texture in the graph, OSG would make it.
     if (nv.getVisitorType() == osg::NodeVisitor::UPDATE_VISITOR && plays) image->update(&nv);
     if (nv.getVisitorType() == osg::NodeVisitor::EVENT_VISITOR && nv.asEventVisitor()) {
@@ -69,6 +74,41 @@ void LitScene::traverse(osg::NodeVisitor& nv)
         showStats(*nv.asEventVisitor());
     }
     osg::Group::traverse(nv);
+}
+
+namespace
+{
+
+// Whether someone else has asked for this frame: its cull may find something new.
+bool isAskedFor(osgGA::EventVisitor& ev)
+{
+    for (const auto& event : ev.getEvents()) {
+        const osgGA::GUIEventAdapter* ea = event->asGUIEventAdapter();
+        if (!ea || ea->getEventType() != osgGA::GUIEventAdapter::FRAME) return true;
+    }
+    auto* view = dynamic_cast<osgViewer::View*>(ev.getActionAdapter());
+    if (!view) return false;
+    const osgViewer::ViewerBase* viewer = view->getViewerBase();
+    const osgDB::DatabasePager* pager = view->getDatabasePager();
+    return (viewer && (viewer->getRequestRedraw() || viewer->getRequestContinousUpdate())) ||
+           (pager && (pager->requiresUpdateSceneGraph() || pager->requiresRedraw()));
+}
+
+}  // namespace
+
+// A viewer that draws on demand draws as long as a node wants to be updated. A redraw requested in cull would be forgotten at the
+// end of the same frame, and the counts of nodes that want to be updated are not for cull threads: so a frame that someone else
+// asked for is followed by another, in which it is known what its cull found, and that one by more while the light settles.
+void LitScene::followFrame(osg::NodeVisitor& nv)
+{
+    if (!nv.getFrameStamp()) return;
+    const unsigned frame = nv.getFrameStamp()->getFrameNumber();
+    if (osgGA::EventVisitor* ev = nv.asEventVisitor()) {
+        if (!_asksForFrames || isAskedFor(*ev)) _followedFrame = frame;
+        _asksForFrames = true;
+    } else {
+        _asksForFrames = _technique->unsettled() || frame == _followedFrame;
+    }
 }
 
 // Only while there is something to update: a viewer that draws on demand would draw all the time.

@@ -194,6 +194,9 @@ TEST(Regeneration, UpdatesAreAskedForOnlyWhileASequencePlays)
     renderer.render(lit, 2);
     EXPECT_EQ(lit->getNumChildrenRequiringUpdateTraversal(), 1u);
     lit->getEnvironmentMap()->setImage(constantMap(1.0).get());
-    renderer.render(lit, 2);
+    for (int frame = 0; frame < 2000 && lit->getNumChildrenRequiringUpdateTraversal() > 0; ++frame) {
+        renderer.render(lit, 1);  // until it has been made into light
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
     EXPECT_EQ(lit->getNumChildrenRequiringUpdateTraversal(), 0u);
 }
