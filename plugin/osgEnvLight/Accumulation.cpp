@@ -152,8 +152,7 @@ bool Accumulation::Key::operator==(const Key& o) const
 
 void Accumulation::advance(const Key& key, bool still, const RadianceMap& map)
 {
-    const bool lost = _lost.exchange(false);
-    if (lost || !still || !(key == _key))
+    if (_run == 0 || !still || !(key == _key))
         begin(key, map);
     else
         add();
