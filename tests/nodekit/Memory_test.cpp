@@ -82,11 +82,14 @@ TEST_P(Memory, StaysLevelUnderChangesOfSettings)
     const int settle = 6, warm = 60;
     const char* wanted = std::getenv("ENVLIGHT_ROUNDS");
     const int rounds = wanted ? std::atoi(wanted) : 180;
+    ResidentGrowth growth;
     const auto go = [&](int from, int to) {
         for (int n = from; n < to; ++n) {
             change.make(screen, *lit->getSettings(), n);
             screen.viewer().frame();
             screen.viewer().frame();
+            if (n < warm) growth.before();
+            if (n >= rounds - 60) growth.after();
         }
         screen.draw(settle);
     };
@@ -94,13 +97,11 @@ TEST_P(Memory, StaysLevelUnderChangesOfSettings)
     const size_t fresh = lit->textureBytes();
     go(0, warm);  // each variant of a program is linked once
     const GlObjects objects = screen.objects();
-    const long kilobytes = residentKilobytes();
     go(warm, rounds);
-    const long grown = residentKilobytes() - kilobytes;
     EXPECT_EQ(objects, screen.objects());
     EXPECT_NEAR(double(fresh), double(lit->textureBytes()), 1024.0);  // a list of lights stays with its map
-    RecordProperty("grownKilobytes", int(grown));
-    EXPECT_LT(grown, 20 * (rounds - warm));
+    RecordProperty("grownKilobytes", int(growth.kilobytes()));
+    EXPECT_LT(growth.kilobytes(), 10000);
 }
 
 INSTANTIATE_TEST_SUITE_P(Changes, Memory,
@@ -127,15 +128,18 @@ TEST(PresetMemory, StaysLevelUnderThirtyOneChanges)
     screen.draw(4);
     const size_t bytes = lit->textureBytes();
     const GlObjects objects = screen.objects();
-    const long kilobytes = residentKilobytes();
-    for (int n = 1; n <= 31; ++n) choose(presets[n % 3]);
+    ResidentGrowth growth;
+    for (int n = 1; n <= 31; ++n) {
+        choose(presets[n % 3]);
+        if (n <= 6) growth.before();
+        if (n > 25) growth.after();
+    }
     choose("low");
     screen.draw(4);
-    const long grown = residentKilobytes() - kilobytes;
-    RecordProperty("grownKilobytes", int(grown));
+    RecordProperty("grownKilobytes", int(growth.kilobytes()));
     EXPECT_EQ(bytes, lit->textureBytes());
     EXPECT_EQ(objects, screen.objects());
-    EXPECT_LT(grown, 50000);
+    EXPECT_LT(growth.kilobytes(), 10000);
 }
 
 // A state set with the texture of a caster that has holes is kept from frame to frame, as long as the caster is there.

@@ -30,7 +30,7 @@ GlObjects countGlObjects(osg::State& state)
     return n;
 }
 
-long residentKilobytes()
+long ResidentGrowth::now()
 {
     std::ifstream in("/proc/self/statm");
     long size = 0;

@@ -3,7 +3,8 @@
 
 #include <osgViewer/Viewer>
 
-#include <string>
+#include <algorithm>
+#include <limits>
 
 /** How many objects of OpenGL there are. */
 struct GlObjects {
@@ -24,8 +25,20 @@ std::ostream& operator<<(std::ostream& out, const GlObjects& n);
 /** Those of the current context. */
 GlObjects countGlObjects(osg::State& state);
 
-/** Of this process. */
-long residentKilobytes();
+/** Growth of this process's resident memory from some points in time to later ones. The driver frees in bursts of tens of MB, so
+ * that it is the least of the later ones less the most of the former. */
+class ResidentGrowth
+{
+  public:
+    void before() { _before = std::max(_before, now()); }
+    void after() { _after = std::min(_after, now()); }
+    long kilobytes() const { return _after - _before; }
+
+  private:
+    static long now();
+    long _before = 0;
+    long _after = std::numeric_limits<long>::max();
+};
 
 /** A new window on the display that DISPLAY names, with a context of its own; null if there is none. */
 osg::ref_ptr<osg::GraphicsContext> makeContext(int width, int height, bool coreProfile = false);
