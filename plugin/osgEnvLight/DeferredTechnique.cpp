@@ -375,11 +375,16 @@ bool DeferredTechnique::hasSettled(const Cull& c) const
     return !converges && _waitingMaps == 0 && !_regenerator.busy() && c.view.textures().settled();
 }
 
-bool DeferredTechnique::unsettled()
+void DeferredTechnique::countUpdate()
+{
+    std::lock_guard<std::mutex> lock(_mutex);
+    ++_updates;
+}
+
+bool DeferredTechnique::unsettled() const
 {
     const unsigned patience = 8;
     std::lock_guard<std::mutex> lock(_mutex);
-    ++_updates;
     return std::any_of(_views.begin(), _views.end(), [&](const auto& view) {
         return view.second->unsettled && _updates - view.second->seenUpdates <= patience;
     });

@@ -59,15 +59,14 @@ void LitScene::traverse(osg::NodeVisitor& nv)
         if (cv && _technique->cull(*this, *cv)) return;
     }
     if (dynamic_cast<osgUtil::GLObjectsVisitor*>(&nv)) _technique->lookBeforeUpload(*this);
-    osg::Image* image = _map->getImage();
-    const bool plays = image && image->requiresUpdateCall();
+    const bool plays = playsImages();
     const bool events = nv.getVisitorType() == osg::NodeVisitor::EVENT_VISITOR;
     if (events || nv.getVisitorType() == osg::NodeVisitor::UPDATE_VISITOR) {
         followFrame(nv);
         askForUpdates(plays || _asksForFrames);
     }
     // A sequence of images goes on by this call; for a texture in the graph, OSG would make it.
-    if (nv.getVisitorType() == osg::NodeVisitor::UPDATE_VISITOR && plays) image->update(&nv);
+    if (nv.getVisitorType() == osg::NodeVisitor::UPDATE_VISITOR && plays) _map->getImage()->update(&nv);
     if (nv.getVisitorType() == osg::NodeVisitor::EVENT_VISITOR && nv.asEventVisitor()) {
         if (_homeView && !_homeGiven) goHome(*nv.asEventVisitor());
         handleEvents(*nv.asEventVisitor());
@@ -79,7 +78,7 @@ void LitScene::traverse(osg::NodeVisitor& nv)
 namespace
 {
 
-// Whether someone else has asked for this frame: its cull may find something new.
+// Whether the host or the application has asked for this frame, other than by nodes that want to be updated.
 bool isAskedFor(osgGA::EventVisitor& ev)
 {
     for (const auto& event : ev.getEvents()) {
@@ -96,18 +95,45 @@ bool isAskedFor(osgGA::EventVisitor& ev)
 
 }  // namespace
 
+// Whether a node wants to be updated, or one below it, for another reason than a LitScene that asks for frames.
+bool LitScene::wantsUpdates(osg::Node& node)
+{
+    if (node.getUpdateCallback()) return true;
+    const unsigned wanted = node.getNumChildrenRequiringUpdateTraversal();
+    if (wanted == 0) return false;
+    const auto* lit = dynamic_cast<const LitScene*>(&node);
+    if (lit && lit->playsImages()) return true;
+    unsigned known = lit && lit->_updates ? 1 : 0;
+    osg::Group* group = node.asGroup();
+    for (unsigned i = 0; group && i < group->getNumChildren() && known < wanted; ++i) {
+        osg::Node& child = *group->getChild(i);
+        if (wantsUpdates(child)) return true;
+        if (child.getNumChildrenRequiringUpdateTraversal() > 0) ++known;
+    }
+    return known < wanted;
+}
+
+bool LitScene::playsImages() const
+{
+    return _map->getImage() && _map->getImage()->requiresUpdateCall();
+}
+
 // A viewer that draws on demand draws as long as a node wants to be updated. A redraw requested in cull would be forgotten at the
-// end of the same frame, and the counts of nodes that want to be updated are not for cull threads: so a frame that someone else
-// asked for is followed by another, in which it is known what its cull found, and that one by more while the light settles.
+// end of the same frame, and the counts of nodes that want to be updated are not for cull threads. So a frame is followed by
+// another, in which it is known what its cull found, and that one by more while the light settles; but not a frame for which only
+// LitScenes have asked, or two would keep each other awake.
 void LitScene::followFrame(osg::NodeVisitor& nv)
 {
     if (!nv.getFrameStamp()) return;
     const unsigned frame = nv.getFrameStamp()->getFrameNumber();
     if (osgGA::EventVisitor* ev = nv.asEventVisitor()) {
-        if (!_asksForFrames || isAskedFor(*ev)) _followedFrame = frame;
-        _asksForFrames = true;
+        const auto* view = dynamic_cast<osgViewer::View*>(ev->getActionAdapter());
+        osg::Node& scene = view && view->getSceneData() ? const_cast<osg::Node&>(*view->getSceneData()) : *this;
+        if (isAskedFor(*ev) || scene.getNumChildrenRequiringUpdateTraversal() == 0 || wantsUpdates(scene)) _followedFrame = frame;
+        _asksForFrames = _asksForFrames || frame == _followedFrame || _technique->unsettled();
     } else {
-        _asksForFrames = _technique->unsettled() || frame == _followedFrame;
+        _technique->countUpdate();
+        _asksForFrames = frame == _followedFrame || _technique->unsettled();
     }
 }
 

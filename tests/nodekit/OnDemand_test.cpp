@@ -59,6 +59,21 @@ int framesUntilQuiet(V& viewer)
     return frames;
 }
 
+// Waits for some frames, then moves its node and is done.
+class MovesOnce : public osg::NodeCallback
+{
+  public:
+    void operator()(osg::Node* node, osg::NodeVisitor*) override
+    {
+        if (++_frames < 12) return;
+        static_cast<osg::MatrixTransform*>(node)->setMatrix(osg::Matrixd::translate(0.3, 0, 0));
+        node->setUpdateCallback(nullptr);
+    }
+
+  private:
+    int _frames = 0;
+};
+
 class OnDemand : public testing::TestWithParam<OnScreen::Threading>
 {
   protected:
@@ -226,4 +241,42 @@ TEST(OnDemandEmbedded, DrawsOneFrameMoreThanIsNeeded)
     lit->getSettings()->accumulateFrames = 12;
     viewer.requestRedraw();
     EXPECT_EQ(14, framesUntilQuiet(viewer));  // a normal one, which begins it
+}
+
+TEST(OnDemandEmbedded, TwoNodesDontKeepEachOtherAwake)
+{
+    SceneRenderer renderer(64, 48);
+    osg::ref_ptr<osg::Group> root = new osg::Group;
+    for (int i = 0; i < 2; ++i) {
+        osg::ref_ptr<LitScene> lit = makeScene(lopsidedMap().get());
+        lit->getSettings()->regeneration = Settings::BACKGROUND;
+        lit->getSettings()->atlasUpdatesPerFrame = 4 + i;
+        root->addChild(lit);
+    }
+    osgViewer::Viewer& viewer = renderer.viewer();
+    viewer.setRunFrameScheme(V::ON_DEMAND);
+    viewer.setSceneData(root.get());
+    framesUntilQuiet(viewer);
+    for (int i = 0; i < 2; ++i) {
+        move(static_cast<LitScene&>(*root->getChild(unsigned(i))), 0.3);
+        viewer.requestRedraw();
+        EXPECT_EQ(5, framesUntilQuiet(viewer));
+    }
+    EXPECT_EQ(0u, root->getNumChildrenRequiringUpdateTraversal());
+}
+
+TEST(OnDemandEmbedded, AnUpdateCallbacksLastFrameIsFollowed)
+{
+    SceneRenderer renderer(64, 48);
+    osg::ref_ptr<LitScene> lit = makeScene(lopsidedMap().get());
+    lit->getSettings()->regeneration = Settings::BACKGROUND;
+    lit->getSettings()->atlasUpdatesPerFrame = 4;
+    osgViewer::Viewer& viewer = renderer.viewer();
+    viewer.setRunFrameScheme(V::ON_DEMAND);
+    viewer.setSceneData(lit.get());
+    framesUntilQuiet(viewer);
+    osg::ref_ptr<MovesOnce> callback = new MovesOnce;
+    lit->getChild(1)->setUpdateCallback(callback.get());
+    EXPECT_EQ(12 + 4, framesUntilQuiet(viewer));
+    EXPECT_FALSE(lit->regenerating());
 }
