@@ -146,8 +146,8 @@ bool sameProjection(const osg::Matrixd& a, const osg::Matrixd& b)
 bool Accumulation::Key::operator==(const Key& o) const
 {
     return view == o.view && sameProjection(projection, o.projection) && mapFromWorld == o.mapFromWorld &&
-           radianceScale == o.radianceScale && settings == o.settings && background == o.background && textures == o.textures &&
-           surfaces == o.surfaces;
+           radianceScale == o.radianceScale && settings == o.settings && background == o.background && lights == o.lights &&
+           textures == o.textures && surfaces == o.surfaces;
 }
 
 void Accumulation::advance(const Key& key, bool still, const RadianceMap& map)

@@ -63,6 +63,7 @@ Accumulation::Key DeferredTechnique::stillKey(Cull& c, osgUtil::CullVisitor& cv)
     key.mapFromWorld = c.mapFromWorld;
     key.radianceScale = c.radianceScale;
     key.settings = &c.settings;
+    key.lights = c.lights;
     key.background = c.background;
     key.textures = &c.view.textures();
     key.surfaces = surfacesOf(*c.frame.gbufferStage, c.frame.fill->getStateSet());

@@ -56,6 +56,10 @@ void DeferredTechnique::setForwardState(Cull& c)
         addUniforms(s, c.frame.sunState(*suns));
         addPlace("sunsFromEye", suns->targets().origin);
     }
+    if (!c.lights.empty()) {
+        in.defines.push_back("HAS_SCENE_LIGHTS");
+        c.frame.sceneLights.addTo(s);
+    }
     if (plan.bounce) {
         in.defines.push_back("HAS_BOUNCE");
         in.samplers.push_back({"bounceMap", c.view.target("bouncesum", {}).textures[0].get()});

@@ -103,12 +103,16 @@ void DeferredTechnique::addPass(Cull& c, osgUtil::CullVisitor& cv, const std::st
 
 void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
 {
-    if (c.rests()) return;
+    if (c.rests()) {
+        awaitLights(c);
+        return;
+    }
     if (c.ownGBuffer) c.host.addPreRenderStage(c.frame.gbufferStage.get(), afterHosts);
     const Plan& plan = c.view.plan;
     MapTextures& textures = c.view.textures();
     // All targets first: a new one forgets the state sets that read its predecessor.
     const auto halves = [](size_t count) { return std::vector<GLint>(count, GL_RGBA16F_ARB); };
+    Target* lit = plan.sceneLights ? &lightTarget(c) : nullptr;
     Target* seen = plan.sunShadows ? &c.view.target("sunshadow", halves((plan.suns + 1) / 2)) : nullptr;
     Target* visibility = plan.sunShadows ? &c.view.target("sunfilter", halves((plan.suns + 3) / 4)) : nullptr;
     const size_t diffuseTargets = !plan.sunDiffuse ? 1 : plan.sunShadows ? 3 : 2;
@@ -127,6 +131,7 @@ void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
         if (!r.runs) c.view.dropTarget(r.pass);
     if (!plan.bounce) c.view.dropTarget("bouncesum");
 
+    if (lit) addSceneLights(c, cv, *lit);
     if (points) addSeenPoints(c, cv, *points);
     if (c.shadesSuns()) addSunShadows(c, cv, *seen, *visibility);
     if (diffuse) {

@@ -124,6 +124,7 @@ try {
     std::vector<ForwardGraph> forward;
     fillGBuffer(c, node, cv, forward);
     const std::string behind = chooseBackground(c, forward);
+    findLights(c, cv, forward);
 
     const bool shows = vd.plan.surfaces.deferred + vd.plan.surfaces.litForward > 0;
     const bool needed = settings->diffuse && radianceScale > 0.0 && shows;
@@ -137,6 +138,7 @@ try {
     const DiffuseCarrier carrier = needed ? textures->carrier() : DiffuseCarrier();
     vd.plan = Plan::make(*settings, vd.plan.surfaces, radianceScale <= 0.0, radius, carrier, textures->sunShare(),
                          c.casters.size(), c.ownGBuffer);
+    vd.plan.decideSceneLights(*settings, c.lights.size(), c.ownGBuffer);
     vd.plan.reasons.back().reason += ", " + behind;  // of the composite
     addAtlas(c, cv);
     advanceStillView(c, cv);

@@ -166,6 +166,19 @@ Plan Plan::make(const Settings& s, const SurfaceKinds& surfaces, bool mapIsBlack
     return plan;
 }
 
+void Plan::decideSceneLights(const Settings& s, size_t count, bool ownGBuffer)
+{
+    Decision lights;
+    lights.unless(s.sceneLights == Settings::SCENE_LIGHTS_OFF, "switched off");
+    lights.unless(!ownGBuffer, "the application's own G-buffer says what surfaces emit");
+    lights.unless(count == 0 && s.sceneLights == Settings::SCENE_LIGHTS_AUTO, "only the viewer's own light");
+    lights.unless(count == 0, "no light is switched on");
+    lights.unless(surfaces.deferred == 0, surfaces.litForward ? "nothing to light but transparent surfaces" : "nothing to light");
+    sceneLights = lights.runs;
+    if (lights.runs) lights.reason = std::to_string(count) + (count == 1 ? " light" : " lights") + ", without shadows";
+    reasons.insert(reasons.begin() + 1, {"scenelights", lights.runs, lights.reason});  // after the G-buffer
+}
+
 std::string Plan::explain() const
 {
     std::ostringstream out;

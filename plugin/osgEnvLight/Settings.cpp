@@ -141,6 +141,8 @@ const std::vector<Settings::Property>& Settings::table()
                "width of the filter that averages the groups of lights"),
         choice("combine", &S::combine, {"ratio", "subtract"},
                "D - O as D times the filtered visibility, or as the printed subtraction of two light lists"),
+        choice("sceneLights", &S::sceneLights, {"auto", "on", "off"},
+               "the lights of osg::LightSource nodes, without shadows; auto: but not the viewer's own head or sky light"),
         choice(
             "bounce", &S::bounce, {"off", "mean"},
             "what is reflected from surface to surface: nothing, or the mean of what the picture shows where light is blocked, "

@@ -26,7 +26,7 @@ size_t Target::bytes() const
 }
 
 Frame::Frame()
-    : gbufferStage(new PassStage),
+    : gbufferStage(new GBufferStage),
       uniforms(new osg::StateSet),
       _sceneRadius(new osg::Uniform("sceneRadius", 0.0f)),
       _radianceScale(new osg::Uniform("radianceScale", 0.0f)),
@@ -123,6 +123,15 @@ osg::StateSet& Frame::atlasState(const std::string& name, const ShadowAtlas& atl
         a.scale = scale;
     }
     return *a.uniforms;
+}
+
+osg::StateSet& Frame::sceneLightState()
+{
+    if (!_sceneLightState) {
+        _sceneLightState = new osg::StateSet(*uniforms);
+        sceneLights.addTo(*_sceneLightState);
+    }
+    return *_sceneLightState;
 }
 
 osg::StateSet& Frame::sunState(const SunShadows& shadows)

@@ -3,9 +3,11 @@
 // Transparent surfaces of the host, drawn after the composite in its own bins: the same environment functions, one
 // look-up for the lobe in place of the importance samples. What hides light from them the shadow maps say: of the sky's each
 // pixel of a 2x2 cell asks a quarter, and the cell shares what its four know; of each sun's disc eight points.
-#pragma import_defines(HAS_SUNS, SUN_DIFFUSE, HAS_ATLAS, HAS_SUN_MAPS, HAS_BOUNCE)
+#pragma import_defines(HAS_SUNS, SUN_DIFFUSE, HAS_ATLAS, HAS_SUN_MAPS, HAS_BOUNCE, HAS_SCENE_LIGHTS)
 
 #include "lib/frame.glsl"
+#include "lib/fresnel.glsl"
+#include "lib/ggx.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/sequence.glsl"
 #include "lib/sh.glsl"
@@ -23,6 +25,9 @@ uniform mat4 sunsFromEye;
 #endif
 #ifdef HAS_BOUNCE
 #include "pass/meanradiance.glsl"
+#endif
+#ifdef HAS_SCENE_LIGHTS
+#include "pass/scenelights.glsl"
 #endif
 #include "pass/display.glsl"
 
@@ -106,6 +111,25 @@ float sunShare(int sun, Surface s)
 }
 #endif
 
+#ifdef HAS_SCENE_LIGHTS
+// What the surface's lobe sends to the eye of the application's lights, and what its Lambert layer receives, over pi.
+void addSceneLights(Surface s, vec3 energy, inout vec3 glint, inout vec3 received)
+{
+    mat3 eyeFromLocal = frameAround(s.normal);
+    vec3 v = -s.ray * eyeFromLocal;
+    v.z = max(v.z, 1e-4);
+    v = normalize(v);
+    for (int i = 0; i < sceneLightCount; ++i) {
+        vec3 direction;
+        vec3 light = sceneLightAt(i, eyePosition, direction);
+        vec3 l = direction * eyeFromLocal;
+        received += light * lightLambert(vec3(1.0), l);
+        if (s.brdf == BRDF_PHONG) glint += light * lightPhong(s.f0, v, l, s.roughness);
+        if (s.brdf == BRDF_COOK_TORRANCE) glint += light * lightCookTorrance(s.f0, energy, v, l, s.roughness);
+    }
+}
+#endif
+
 void main()
 {
     Surface s = readSurface();
@@ -130,6 +154,12 @@ void main()
             sunGlint += sun * ggxDisc(sunDirection[i] * mapFromLocal, local, max(s.roughness * s.roughness, 1e-3), sunRadius[i]);
     }
 #endif
+    vec3 sceneGlint = vec3(0.0);
+    vec3 sceneReceived = vec3(0.0);
+#ifdef HAS_SCENE_LIGHTS
+    vec2 albedo = s.brdf == BRDF_COOK_TORRANCE ? lobeAlbedo(s.roughness, cosV) : vec2(1.0, 0.0);
+    addSceneLights(s, multipleScattering(s.f0, albedo.x + albedo.y), sceneGlint, sceneReceived);
+#endif
     if (s.brdf != BRDF_LAMBERT) {
         vec2 e = s.brdf == BRDF_COOK_TORRANCE ? lobeAlbedo(s.roughness, cosV) : vec2(1.0, 0.0);
         vec3 reflected = s.f0 * e.x + e.y;
@@ -137,7 +167,7 @@ void main()
         float lod = log2(max(s.roughness * s.roughness * pyramidSide, 1.0));
         vec3 r = reflect(s.ray, s.normal);
         vec3 mirrored = pyramidLookup(pyramidMap, pyramidSide, pyramidLastLevel, mapFromEyeForward * r, lod) * seen.lobe;
-        vec3 glint = reflected * (mirrored + sunGlint) * radianceScale;
+        vec3 glint = reflected * (mirrored + sunGlint) * radianceScale + sceneGlint;
 #ifdef HAS_BOUNCE
         glint += reflected * (1.0 - seen.lobe) * meanRadiance(r);
 #endif
@@ -147,7 +177,7 @@ void main()
         alpha = mix(s.alpha, 1.0, clamp(strength, 0.0, 1.0));
         radiance += glint / max(alpha, 1e-3);
     }
-    vec3 received = irradianceOverPi * radianceScale;
+    vec3 received = irradianceOverPi * radianceScale + sceneReceived;
 #ifdef HAS_BOUNCE
     received += (1.0 - seen.ambient) * meanRadiance(s.normal);
 #endif

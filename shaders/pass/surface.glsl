@@ -9,10 +9,9 @@
 #include "lib/phong.glsl"
 #include "lib/tone.glsl"
 #include "pass/brdf.glsl"
+#include "pass/hostcolor.glsl"
 
 uniform sampler2D baseColorMap;
-uniform int materialColors;  // 0: sRGB encoded
-uniform float emittedStops;  // against the map's exposure: what emits is shown as it was typed
 
 #ifdef ENVLIGHT_COOK_TORRANCE
 uniform vec3 envlightBaseColor;
@@ -64,12 +63,6 @@ vec3 surfaceNormal(vec3 ray)
 #if defined(ENVLIGHT_COOK_TORRANCE) || defined(ENVLIGHT_LAMBERT) || defined(ENVLIGHT_PHONG)
 #define ENVLIGHT_MATERIAL
 #endif
-
-// Of a colour that the host gives as a number.
-vec3 hostColor(vec3 c)
-{
-    return materialColors == 0 ? srgbDecode3(max(c, vec3(0.0))) : c;
-}
 
 #ifndef NO_TEXTURE
 vec4 surfaceTexel()
@@ -139,7 +132,7 @@ Surface readSurface()
     s.f0 = vec3(0.0);
     s.brdf = BRDF_LAMBERT;
     gl_MaterialParameters host = hostMaterial();
-    s.emission = hostColor(host.emission.rgb) * exp2(materialColors == 0 ? emittedStops : 0.0);
+    s.emission = hostRadiance(host.emission.rgb);
     vec4 material = host.diffuse;
 #ifdef ENVLIGHT_COOK_TORRANCE
     material.rgb = envlightBaseColor;

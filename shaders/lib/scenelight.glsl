@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Lights of OpenGL's fixed function, shaded by physical BRDFs. A light of colour L, unattenuated, gives a white Lambert surface
+// the radiance L cos, as OpenGL does: its irradiance is pi L cos. Local frame as in lib/ggx.glsl.
+#ifndef SCENELIGHT_GLSL
+#define SCENELIGHT_GLSL
+
+#include "lib/constants.glsl"
+#include "lib/fresnel.glsl"
+#include "lib/ggx.glsl"
+#include "lib/phong.glsl"
+
+// k: constant, linear, quadratic.
+float lightAttenuation(vec3 k, float distance)
+{
+    return 1.0 / max(k.x + distance * (k.y + distance * k.z), 1e-6);
+}
+
+// cosine: of the direction from the light to the axis of its cone.
+float lightCone(float cosine, float cosCutoff, float exponent)
+{
+    if (cosine < cosCutoff) return 0.0;
+    return exponent > 0.0 ? pow(max(cosine, 0.0), exponent) : 1.0;
+}
+
+// These lights have no size: in a smooth surface their highlight would be a point without area and without bound, which
+// pixels hit or miss. Lobes are taken to be as wide as if the light were about two degrees across.
+float lightRoughness(float roughness)
+{
+    return max(roughness, 0.18);
+}
+
+// Radiance sent towards v from light of colour 1 in direction l.
+vec3 lightLambert(vec3 albedo, vec3 l)
+{
+    return albedo * max(l.z, 0.0);
+}
+
+vec3 lightPhong(vec3 ks, vec3 v, vec3 l, float roughness)
+{
+    vec3 r = vec3(-v.x, -v.y, v.z);
+    return ks * (PI * phongBrdf(r, l, phongExponent(lightRoughness(roughness))) * max(l.z, 0.0));
+}
+
+// energy: what single scattering loses, pass/albedo.glsl.
+vec3 lightCookTorrance(vec3 f0, vec3 energy, vec3 v, vec3 l, float roughness)
+{
+    float r = lightRoughness(roughness);
+    if (l.z <= 0.0) return vec3(0.0);
+    return energy * fresnelSchlick(f0, dot(normalize(v + l), v)) * (PI * ggxBrdf(v, l, r * r) * l.z);
+}
+
+#endif

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Colours that the host gives as numbers: of materials, vertices and lights.
+#ifndef HOSTCOLOR_GLSL
+#define HOSTCOLOR_GLSL
+
+#include "lib/tone.glsl"
+
+uniform int materialColors;  // 0: display values, sRGB encoded
+uniform float emittedStops;  // against the map's exposure: what emits is shown as it was typed
+
+// The curve goes on above 1.
+vec3 hostColor(vec3 c)
+{
+    return materialColors == 0 ? srgbDecode3(max(c, vec3(0.0))) : c;
+}
+
+// Radiance that such a colour stands for.
+vec3 hostRadiance(vec3 c)
+{
+    return hostColor(c) * (materialColors == 0 ? exp2(emittedStops) : 1.0);
+}
+
+#endif
