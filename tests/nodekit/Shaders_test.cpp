@@ -2,6 +2,8 @@
 // A shader that does not compile is reported once, by file and line, and the host goes on showing the scene unlit.
 #include <SceneRenderer.h>
 
+#include <osgEnvLight/Material>
+
 #include <gtest/gtest.h>
 
 #include <sys/stat.h>
@@ -68,6 +70,31 @@ TEST(Shaders, AnErrorNamesTheRealFileAndLineAndTheSceneStaysUnlit)
     overrides.write("lib/sh.glsl", "vec3 shIrradiance9(vec3 c[18], vec3 n) { return vec3(0.25, 0.5, 0.75); }\n");
     lit->reloadShaders();
     EXPECT_NEAR(renderer.render(lit, 2).color(24, 24)[2] / renderer.render(lit, 1).color(24, 24)[0], 3.0, 0.02);
+}
+
+// As engines on top of OSG do: State then rewrites the names of built-in attributes and matrices in every shader.
+TEST(Shaders, AHostThatRenamesWhatIsBuiltInShowsTheSamePicture)
+{
+    const osg::ref_ptr<osg::Image> map = lopsidedMap();
+    Picture pictures[2];
+    for (const bool renames : {false, true}) {
+        SceneRenderer renderer(64, 64);
+        renderer.lookAt(osg::Vec3d(0, -4, 1), osg::Vec3d());
+        renderer.state().setUseVertexAttributeAliasing(renames);
+        renderer.state().setUseModelViewAndProjectionUniforms(renames);
+        const osg::ref_ptr<LitScene> lit = makeLit(map.get());
+        lit->addChild(makeSphere(osg::Vec3d(-0.5, 0, 0), 0.8));
+        // Not vertex colours: without an array of them an aliased attribute is black.
+        osgEnvLight::Material::setLambert(*lit->getOrCreateStateSet(), osg::Vec3f(0.8f, 0.6f, 0.4f));
+        const osg::ref_ptr<osg::Geode> pane = makeQuad(osg::Vec3d(-1, -1, -1), osg::Vec3d(1.5, 0, 0), osg::Vec3d(0, 0, 2));
+        pane->getOrCreateStateSet()->setMode(GL_BLEND, osg::StateAttribute::ON);
+        pane->getOrCreateStateSet()->setRenderingHint(osg::StateSet::TRANSPARENT_BIN);
+        lit->addChild(pane);
+        pictures[renames] = renderer.render(lit, 3);
+        EXPECT_EQ(1u, lit->plan().surfaces.litForward);
+    }
+    EXPECT_GT(ofGeometry(pictures[0]).mean, 0.1);
+    EXPECT_LE(rootMeanSquare(pictures[0], pictures[1]), 0.01);
 }
 
 TEST(Shaders, AMissingIncludeIsOneMessage)
