@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <osgEnvLight/DeferredTechnique>
 
-#include <osgEnvLight/Backdrop>
 #include <osgEnvLight/LitScene>
 
 #include <osg/FrameStamp>
@@ -25,39 +24,6 @@ bool isDepthOnly(const osg::Camera* camera)
     for (const auto& [component, attachment] : camera->getBufferAttachmentMap())
         if (component >= osg::Camera::COLOR_BUFFER) return false;
     return true;
-}
-
-const GLbitfield gbufferClear = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
-
-// An osg::ClearNode below the node speaks of the host's buffers.
-void passClearOn(osgUtil::RenderStage& gbuffer, osgUtil::RenderStage& host)
-{
-    if (gbuffer.getClearMask() == gbufferClear && gbuffer.getClearColor() == osg::Vec4()) return;
-    host.setClearMask(gbuffer.getClearMask());
-    host.setClearColor(gbuffer.getClearColor());
-    gbuffer.setClearMask(gbufferClear);
-    gbuffer.setClearColor(osg::Vec4());
-}
-
-bool overlaps(const osg::Viewport* a, const osg::Viewport* b)
-{
-    return a && b && a->x() < b->x() + b->width() && b->x() < a->x() + a->width() && a->y() < b->y() + b->height() &&
-           b->y() < a->y() + a->height();
-}
-
-// A camera before the host's has cleared these colours and drawn into them: the far part of a depth partition, a backdrop.
-bool drawsOverAnother(const osg::Camera* host)
-{
-    const osg::GraphicsContext* context = host ? host->getGraphicsContext() : nullptr;
-    if (!context || (host->getClearMask() & GL_COLOR_BUFFER_BIT)) return false;
-    for (const osg::Camera* other : const_cast<osg::GraphicsContext*>(context)->getCameras()) {
-        const bool before = std::make_pair(other->getRenderOrder(), other->getRenderOrderNum()) <=
-                            std::make_pair(host->getRenderOrder(), host->getRenderOrderNum());
-        if (other != host && before && (other->getClearMask() & GL_COLOR_BUFFER_BIT) && other->getBufferAttachmentMap().empty() &&
-            host->getBufferAttachmentMap().empty() && overlaps(other->getViewport(), host->getViewport()))
-            return true;
-    }
-    return false;
 }
 
 unsigned contextOf(osgUtil::CullVisitor& cv)
@@ -256,111 +222,6 @@ ViewData& DeferredTechnique::view(osgUtil::CullVisitor& cv, osgUtil::RenderStage
 void DeferredTechnique::reportOnce(const std::string& message)
 {
     if (_reported.insert(message).second) OSG_WARN << "osgEnvLight: " << message << std::endl;
-}
-
-void DeferredTechnique::fillGBuffer(Cull& c, LitScene& node, osgUtil::CullVisitor& cv, std::vector<ForwardGraph>& forward)
-{
-    if (node.getGBuffer()) {
-        node.osg::Group::traverse(cv);
-        c.view.plan.surfaces = {true, true, 1, 0};
-        return;
-    }
-    Frame& f = c.frame;
-    {
-        std::lock_guard<std::mutex> lock(_mutex);
-        osg::StateSet& state = gbufferState(c);
-        if (f.fillState != &state) {
-            const osg::ref_ptr<osg::StateSet> own = new osg::StateSet(state);
-            f.subpixel = new osg::Uniform("subpixel", osg::Vec2());
-            f.materialColors = new osg::Uniform("materialColors", 0);
-            f.emittedStops = new osg::Uniform("emittedStops", 0.0f);
-            for (osg::Uniform* u : {f.subpixel.get(), f.materialColors.get(), f.emittedStops.get()}) own->addUniform(u);
-            f.fill = new GBufferCallback(&c.gbuffer, own.get(), _sorter.get());
-            f.fillState = &state;
-        }
-        f.materialColors->set(c.settings.materialColors);
-        f.emittedStops->set(float(-c.baseStops()));
-        if (!f.gbufferCamera || f.gbufferTimed != c.timed) {
-            f.gbufferCamera = new StageCamera(c.view.plainCamera());
-            f.gbufferTimed = c.timed;
-            BindTargets::install(*f.gbufferCamera, c.gbuffer.frameBuffer(), c.timed ? &c.view.timer("gbuffer") : nullptr,
-                                 _failure.get());
-        }
-    }
-    if (osg::Camera* camera = c.host.getCamera()) {
-        f.gbufferCamera->setView(camera->getView());
-        f.gbufferCamera->setCullMask(camera->getCullMask());
-    }
-    f.gbufferCamera->setProjectionMatrix(*cv.getProjectionMatrix());
-    f.gbufferCamera->setViewMatrix(c.host.getInitialViewMatrix() ? osg::Matrixd(*c.host.getInitialViewMatrix()) : osg::Matrixd());
-    f.gbufferCamera->setViewport(c.view.viewport());
-    prepareStage(*f.gbufferStage, c.host, *f.gbufferCamera, *c.view.viewport(), gbufferClear);
-    // Light sources and clip planes below the node also reach what is drawn forward.
-    f.gbufferStage->setPositionalStateContainer(c.host.getPositionalStateContainer());
-
-    osgUtil::RenderBin* hostBin = cv.getCurrentRenderBin();
-    f.forwardState = nullptr;
-    const SurfaceSorter::LitState lit = [&] {
-        if (!f.forwardState) f.forwardState = new osg::StateSet;  // setForwardState() fills it
-        return f.forwardState.get();
-    };
-    cv.pushViewport(c.view.viewport());
-    c.view.plan.surfaces = f.fill->fill(cv, *f.gbufferStage, hostBin, lit, forward, [&] {
-        cv.setCurrentRenderBin(f.gbufferStage.get());
-        node.osg::Group::traverse(cv);
-        cv.setCurrentRenderBin(hostBin);
-    });
-    cv.popViewport();
-    handOverCameras(c);
-    passClearOn(*f.gbufferStage, c.host);
-}
-
-// What cameras below the node draw, before or after the host's own: as without us, and while the G-buffer stands still, too.
-void DeferredTechnique::handOverCameras(Cull& c)
-{
-    osgUtil::RenderStage& own = *c.frame.gbufferStage;
-    const auto adopt = [&](osgUtil::RenderStage& stage) {
-        SurfaceSorter::release(stage, *c.frame.fill->getStateSet());
-        const osg::Camera* camera = stage.getCamera();
-        if (!camera) return;
-        const auto inherits = [&](unsigned what) { return (camera->getInheritanceMask() & what) != 0; };
-        if (!camera->getViewport()) stage.setViewport(c.host.getViewport());
-        if (!camera->getColorMask()) stage.setColorMask(c.host.getColorMask());
-        if (inherits(osg::CullSettings::DRAW_BUFFER))
-            stage.setDrawBuffer(c.host.getDrawBuffer(), c.host.getDrawBufferApplyMask());
-        if (inherits(osg::CullSettings::READ_BUFFER))
-            stage.setReadBuffer(c.host.getReadBuffer(), c.host.getReadBufferApplyMask());
-        if (inherits(osg::CullSettings::CLEAR_MASK)) stage.setClearMask(c.host.getClearMask());
-        if (inherits(osg::CullSettings::CLEAR_COLOR)) stage.setClearColor(c.host.getClearColor());
-    };
-    for (auto& [order, stage] : own.getPreRenderList()) {
-        adopt(*stage);
-        c.host.addPreRenderStage(stage, order);
-    }
-    for (auto& [order, stage] : own.getPostRenderList()) {
-        adopt(*stage);
-        c.host.addPostRenderStage(stage, order);
-    }
-    own.getPreRenderList().clear();
-    own.getPostRenderList().clear();
-}
-
-// What is behind the scene, in words.
-std::string DeferredTechnique::chooseBackground(Cull& c, const std::vector<ForwardGraph>& forward) const
-{
-    c.background = c.settings.background;
-    if (c.background == Settings::BACKGROUND_AUTO) {
-        const std::string backdrop = findBackdrop(c.host, forward);
-        c.background = backdrop.empty() ? Settings::BACKGROUND_ON : Settings::BACKGROUND_OFF;
-        if (!backdrop.empty()) return backdrop + " behind";
-    }
-    if (c.background == Settings::BACKGROUND_OFF) return "the background switched off";
-    const bool keepsColors = c.settings.background == Settings::BACKGROUND_AUTO && !(c.host.getClearMask() & GL_COLOR_BUFFER_BIT);
-    if (keepsColors || drawsOverAnother(c.host.getCamera())) {
-        c.background = Settings::BACKGROUND_OFF;
-        return "the colours behind that the host does not clear";
-    }
-    return c.background == Settings::BACKGROUND_BLUR ? "the map behind, blurred" : "the map behind";
 }
 
 void DeferredTechnique::reloadShaders()

@@ -59,10 +59,8 @@ void Frame::setUniforms(const Settings& settings, double sceneRadius, double rad
     const auto& table = Settings::table();
     for (size_t i = 0; i < table.size(); ++i) {
         const double value = table[i].get(settings);
-        if (_settings[i]->getType() == osg::Uniform::FLOAT)
-            _settings[i]->set(float(value));
-        else
-            _settings[i]->set(int(value));
+        const bool real = _settings[i]->getType() == osg::Uniform::FLOAT;
+        real ? _settings[i]->set(float(value)) : _settings[i]->set(int(value));
     }
     _sceneRadius->set(float(sceneRadius));
     _radianceScale->set(float(radianceScale));
