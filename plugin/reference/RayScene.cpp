@@ -348,6 +348,23 @@ bool meetPlane(const TriangleMesh& mesh, const glm::uvec3& triangle, const Ray& 
     return Corners(mesh, triangle).meet(ray, point);
 }
 
+namespace
+{
+
+// Of display values, as OpenGL's fixed function combines them.
+glm::dvec4 combined(const SurfaceMaterial& m, const glm::dvec4& base, const glm::dvec4& texel)
+{
+    const glm::dvec3 below(glsl::srgbEncode3(glsl::vec3(base))), above(glsl::srgbEncode3(glsl::vec3(texel)));
+    glm::dvec3 sum;
+    if (m.textureMode == SurfaceMaterial::DECAL) sum = below + (above - below) * texel.a;
+    if (m.textureMode == SurfaceMaterial::BLENDS) sum = below * (1.0 - above) + m.textureColor * above;
+    if (m.textureMode == SurfaceMaterial::ADDS) sum = glm::min(below + above, 1.0);
+    const double alpha = m.textureMode == SurfaceMaterial::DECAL ? base.a : base.a * texel.a;
+    return glm::dvec4(glm::dvec3(glsl::srgbDecode3(glsl::vec3(sum))), alpha);
+}
+
+}  // namespace
+
 glm::dvec4 surfaceColor(const SurfaceHit& hit, const glm::dvec2& dx, const glm::dvec2& dy)
 {
     const TriangleMesh& mesh = *hit.mesh;
@@ -356,7 +373,9 @@ glm::dvec4 surfaceColor(const SurfaceHit& hit, const glm::dvec2& dx, const glm::
     if (m.encoded) base = glm::dvec4(glsl::srgbDecode3(glsl::vec3(base)), base.a);
     if (!m.texture) return base;
     const glm::dvec4 texel = m.texture->sample(hit.interpolate(mesh.texCoords), dx, dy);
-    return m.replacedByTexture ? texel : base * texel;
+    if (m.textureMode == SurfaceMaterial::REPLACES) return texel;
+    if (m.textureMode == SurfaceMaterial::MODULATES) return base * texel;
+    return combined(m, base, texel);
 }
 
 }  // namespace osgEnvLight

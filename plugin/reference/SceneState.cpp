@@ -8,6 +8,7 @@
 #include <osg/CullFace>
 #include <osg/FrontFace>
 #include <osg/PolygonMode>
+#include <osg/TexEnv>
 #include <osg/TexMat>
 
 #include <algorithm>
@@ -125,9 +126,23 @@ void SceneState::setTexture(SurfaceMaterial& m, TextureCache& textures, std::set
     std::string reason;
     m.texture = textures.get(*t, textureFacts().linear, reason);
     if (!m.texture) leftOut.insert("textures, " + reason);
-    m.replacedByTexture = m.texture && textureMode() == TEXTURE_REPLACES;
-    if (textureMode() == TEXTURE_DECAL || textureMode() == TEXTURE_BLENDS || textureMode() == TEXTURE_ADDS)
-        leftOut.insert("texture environments other than modulate and replace: taken as modulate");
+    switch (m.texture ? textureMode() : TEXTURE_MODULATES) {
+        case TEXTURE_REPLACES:
+            m.textureMode = SurfaceMaterial::REPLACES;
+            break;
+        case TEXTURE_DECAL:
+            m.textureMode = SurfaceMaterial::DECAL;
+            break;
+        case TEXTURE_BLENDS:
+            m.textureMode = SurfaceMaterial::BLENDS;
+            m.textureColor = rgb(static_cast<const osg::TexEnv*>(textureEnvironment())->getColor());
+            break;
+        case TEXTURE_ADDS:
+            m.textureMode = SurfaceMaterial::ADDS;
+            break;
+        default:
+            break;
+    }
     if (coordinates() != FROM_VERTICES) leftOut.insert("generated texture coordinates: the vertices' own are taken");
 }
 

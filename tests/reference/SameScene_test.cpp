@@ -283,10 +283,12 @@ TEST_F(SameScene, TextureMatrixAndEnvironment)
         0, new osg::TexMat(osg::Matrix::scale(0.8, 1.3, 1) * osg::Matrix::rotate(0.5, osg::Vec3d(0, 0, 1)) *
                            osg::Matrix::translate(0.3, 0.1, 0)));
     expectSame(turned, "texture matrix", filtering);
-    for (auto mode : {osg::TexEnv::MODULATE, osg::TexEnv::REPLACE, osg::TexEnv::DECAL}) {
+    for (auto mode : {osg::TexEnv::MODULATE, osg::TexEnv::REPLACE, osg::TexEnv::DECAL, osg::TexEnv::BLEND, osg::TexEnv::ADD}) {
         const osg::ref_ptr<osg::Geode> geode = textured(smoothTexture());
         osg::StateSet& s = *geode->getOrCreateStateSet();
-        s.setTextureAttribute(0, new osg::TexEnv(mode));
+        const osg::ref_ptr<osg::TexEnv> environment = new osg::TexEnv(mode);
+        environment->setColor(osg::Vec4(0.9f, 0.3f, 0.1f, 1));
+        s.setTextureAttribute(0, environment);
         s.setAttributeAndModes(hostMaterial(osg::Material::OFF));
         expectSame(geode, "environment " + std::to_string(mode), filtering);
     }

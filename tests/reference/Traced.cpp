@@ -63,7 +63,7 @@ Traced::Traced(osg::Node& scene, const osg::Matrixd& view, const osg::Matrixd& p
     camera->setViewport(0, 0, width, height);
     camera->setViewMatrix(view);
     camera->setProjectionMatrix(projection);
-    _triangles = osgEnvLight::flattenScene(scene, *camera);
+    _triangles = osgEnvLight::flattenScene(scene, *camera, nullptr, true);  // radiances and albedos written as numbers
     _rays = std::make_unique<osgEnvLight::RayScene>(_triangles);
     _camera = std::make_unique<osgEnvLight::RayCamera>(view, projection, width, height, 0.0);
 }

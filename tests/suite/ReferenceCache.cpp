@@ -153,9 +153,11 @@ void ContentHash::material(const osgEnvLight::SurfaceMaterial& m)
     bytes(&m.specular, sizeof m.specular);
     bytes(&m.emission, sizeof m.emission);
     for (double d : {m.exponent, m.metalness, m.roughness, m.alphaReference}) value(d);
-    for (bool b : {m.unlit, m.vertexColored, m.limited, m.replacedByTexture, m.alphaTest, m.blended, m.clockwiseFront}) value(b);
+    for (bool b : {m.encoded, m.unlit, m.vertexColored, m.limited, m.alphaTest, m.blended, m.clockwiseFront}) value(b);
     value(m.alphaFunction);
     value(m.sides);
+    value(m.textureMode);
+    bytes(&m.textureColor, sizeof m.textureColor);
     value(m.texture != nullptr);
     if (!m.texture) return;
     elements(m.texture->texels());
