@@ -116,6 +116,7 @@ class SurfaceSort
         using S = SurfaceSorter;
         unsigned bits = textureBits(state);
         if (state.paintedReflection()) bits |= S::PAINTED_REFLECTION;
+        if (state.paintedHighlight()) bits |= S::TEXTURE_ADD;
         if (state.unlit()) bits |= S::UNLIT;
         if (state.vertexColored()) bits |= S::VERTEX_COLOR;
         if (state.phongMaterial()) bits |= S::PHONG_MATERIAL;

@@ -176,6 +176,12 @@ bool SurfaceState::paintedReflection() const
     return t && SurfaceFacts::hasTexels(*t);
 }
 
+bool SurfaceState::paintedHighlight() const
+{
+    const auto* env = paintedReflection() ? _texEnv.as<osg::TexEnv>() : nullptr;
+    return env && env->getMode() == osg::TexEnv::ADD;
+}
+
 SurfaceState::TextureMode SurfaceState::textureMode() const
 {
     const auto* env = texture() ? _texEnv.as<osg::TexEnv>() : nullptr;

@@ -154,9 +154,13 @@ Surface readSurface()
     s.roughness = phongRoughness(envlightExponent);
 #elif defined(PAINTED_REFLECTION)
     s.brdf = BRDF_COOK_TORRANCE;
+    s.roughness = PAINTED_ROUGHNESS;
+#ifdef TEXTURE_ADD
+    s.f0 = vec3(0.04);  // a highlight on what is there
+#else
     s.albedo = vec3(0.0);
     s.f0 = PAINTED_REFLECTANCE * base.rgb;
-    s.roughness = PAINTED_ROUGHNESS;
+#endif
 #elif defined(UNLIT)
     s.emission = base.rgb * exp2(materialColors == 0 ? emittedStops : 0.0);
     s.albedo = vec3(0.0);

@@ -147,7 +147,7 @@ TEST_P(VisibilityExtremes, TheSamePictureAtEveryScale)
         return renderer.render(lit, 3);
     };
     const Picture one = picture(1.0);
-    EXPECT_GT(ofGeometry(one).most, 0.3);
+    EXPECT_GT(ofGeometry(one).most, 0.2);  // of an albedo of .6
     for (double scale : {1e-6, 1e-3, 1e3, 1e6}) {
         // Rounding moves edges of pixels and of texels by a bit, a few pixels in shadows' edges and outlines with them.
         EXPECT_LT(rootMeanSquare(one, picture(scale)), 0.01) << scale;

@@ -197,6 +197,8 @@ TEST_F(Features, PaintedReflectionsAreMetal)
         const osg::Vec3d c = lit(model);
         EXPECT_NEAR(c[0], 0.9, 0.01) << "its reflectance in a white furnace, whatever is painted on; cube " << cube;
         EXPECT_NEAR(c[2], 0.9, 0.01);
+        s.setTextureAttribute(0, new osg::TexEnv(osg::TexEnv::ADD));
+        EXPECT_NEAR(lit(model)[0], 1.0, 0.01) << "a highlight on white: all of what it gets, reflected or scattered";
     }
 }
 
