@@ -161,7 +161,7 @@ void addFountain(Scene& scene)
 
 Scene atrium()
 {
-    Scene scene("atrium", {"sky", -50, 0.6}, {{-10.4, -6.5, 1.75}, {-1.5, -2.6, 1.85}, 58}, materials);
+    Scene scene("atrium", {"sky", -50, 0.6, 2.6}, {{-10.4, -6.5, 1.75}, {-1.5, -2.6, 1.85}, 58}, materials);
     addFloor(scene);
     addArcades(scene);
     addShell(scene);

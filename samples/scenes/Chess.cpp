@@ -151,7 +151,7 @@ void addMen(Scene& scene)
 
 Scene chess()
 {
-    Scene scene("chess", {"studio", 225, 0.6}, {{-0.27, -0.5, 0.3}, {0.012, -0.03, 0.012}, 34}, materials);
+    Scene scene("chess", {"studio", 225, 0.6, 1}, {{-0.27, -0.5, 0.3}, {0.012, -0.03, 0.012}, 34}, materials);
     const std::vector<std::pair<std::string, Wood>> woods{{"maple", {{226, 190, 140}, {176, 128, 78}, 14, 1}},
                                                           {"walnut", {{124, 78, 50}, {58, 32, 20}, 10, 2}},
                                                           {"frame", {{92, 50, 32}, {36, 18, 12}, 12, 3}}};

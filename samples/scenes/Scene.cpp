@@ -8,6 +8,7 @@
 #include <osgDB/WriteFile>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <stdexcept>
 
@@ -44,6 +45,15 @@ Material cookTorrance(const osg::Vec3d& baseColor, double metalness, double roug
 namespace
 {
 
+// As osg::Material has colours: sRGB (IEC 61966-2-1).
+osg::Vec3d displayed(const osg::Vec3d& linear)
+{
+    osg::Vec3d c;
+    for (int k = 0; k < 3; ++k)
+        c[k] = linear[k] <= 0.0031308 ? 12.92 * linear[k] : 1.055 * std::pow(linear[k], 1.0 / 2.4) - 0.055;
+    return c;
+}
+
 // The nearest that fixed-function light comes. A metal keeps part of its colour as diffuse, for there it has nothing to reflect.
 osg::ref_ptr<osg::Material> fixedFunction(const std::string& name, const Material& material)
 {
@@ -57,6 +67,8 @@ osg::ref_ptr<osg::Material> fixedFunction(const std::string& name, const Materia
         specular = material.color * (metalSpecular * material.metalness) + osg::Vec3d(plain, plain, plain);
         shininess = 2 / (alpha * alpha) - 2;
     }
+    diffuse = displayed(diffuse);
+    specular = displayed(specular);
     osg::ref_ptr<osg::Material> result = new osg::Material;
     result->setName(name);
     result->setAmbient(osg::Material::FRONT_AND_BACK, osg::Vec4(diffuse, 1));
@@ -131,7 +143,8 @@ void Scene::write(const std::string& folder) const
     file << "{\n    \"model\": \"" << model << "\",\n    \"environment\": { \"map\": \"" << _environment.map
          << "\", \"rotation\": " << _environment.rotation << ", \"intensity\": " << _environment.intensity
          << " },\n    \"camera\": { \"eye\": " << json(_camera.eye) << ", \"target\": " << json(_camera.target)
-         << ", \"up\": [0, 0, 1], \"fovy\": " << _camera.fovy << " },\n    \"materials\": {";
+         << ", \"up\": [0, 0, 1], \"fovy\": " << _camera.fovy
+         << " },\n    \"settings\": { \"exposure\": " << _environment.exposure << " },\n    \"materials\": {";
     const char* separator = "\n";
     for (const auto& [name, material] : _materials) {
         if (material.opacity < 1) continue;  // only its osg::Material can say so

@@ -32,6 +32,7 @@ struct Environment {
     std::string map;
     double rotation;
     double intensity;
+    double exposure;  // stops, beyond what the map asks for
 };
 
 struct Camera {

@@ -83,7 +83,7 @@ osg::ref_ptr<osg::AnimationPath> path()
 
 Scene swing()
 {
-    Scene scene("swing", {"sky", 60, 0.42}, {{3.2, -5.0, 2.0}, {0, 0, 1.08}, 32}, materials);
+    Scene scene("swing", {"sky", 60, 0.42, 1.25}, {{3.2, -5.0, 2.0}, {0, 0, 1.08}, 32}, materials);
     osg::ref_ptr<osg::MatrixTransform> hung = new osg::MatrixTransform(osg::Matrixd::translate(0, 0, beamHeight));
     osg::ref_ptr<osg::MatrixTransform> pendulum = new osg::MatrixTransform;
     pendulum->setDataVariance(osg::Object::DYNAMIC);
