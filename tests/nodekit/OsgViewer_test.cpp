@@ -3,7 +3,11 @@
 // is the one that envlight-render draws.
 #include <VirtualDisplay.h>
 
+#include <osg/Geode>
+#include <osg/Geometry>
+#include <osg/Texture2D>
 #include <osgDB/ReadFile>
+#include <osgDB/WriteFile>
 
 #include <gtest/gtest.h>
 
@@ -122,6 +126,44 @@ TEST_F(OsgViewer, ShowsRealModelsUnderRealMapsAsEnvlightRenderDoes)
             ASSERT_GT(sum, 0) << "a black pixel: " << (i / 3) % width << ", " << (i / 3) / width;
         }
     }
+}
+
+// Its optimizer has images given away as soon as they are uploaded, which it does before the first cull.
+TEST_F(OsgViewer, ABlendedCardOutsideTheTransparentBinStaysTransparent)
+{
+    const osg::ref_ptr<osg::Group> scene = new osg::Group;
+    const auto add = [&](double y, const osg::Vec4& color) {
+        osg::ref_ptr<osg::Geometry> quad =
+            osg::createTexturedQuadGeometry(osg::Vec3(-1, float(y), -1), osg::Vec3(2, 0, 0), osg::Vec3(0, 0, 2));
+        osg::ref_ptr<osg::Vec4Array> colors = new osg::Vec4Array;
+        colors->push_back(color);
+        quad->setColorArray(colors, osg::Array::BIND_OVERALL);
+        osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+        geode->addDrawable(quad);
+        scene->addChild(geode);
+        return geode;
+    };
+    add(0.5, osg::Vec4(0.8f, 0.1f, 0.1f, 1));
+    const osg::ref_ptr<osg::Geode> card = add(0.0, osg::Vec4(1, 1, 1, 1));
+    const osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(64, 64, 1, GL_RGBA, GL_UNSIGNED_BYTE);
+    for (unsigned y = 0; y < 64; ++y)
+        for (unsigned x = 0; x < 64; ++x) {
+            const bool inside = std::hypot(x - 31.5, y - 31.5) < 16.0;
+            *reinterpret_cast<osg::Vec4ub*>(image->data(x, y)) = osg::Vec4ub(20, 200, 40, inside ? 255 : 0);
+        }
+    image->setFileName("card.rgba");
+    card->getOrCreateStateSet()->setTextureAttributeAndModes(0, new osg::Texture2D(image));
+    card->getOrCreateStateSet()->setMode(GL_BLEND, osg::StateAttribute::ON);
+    const TemporaryFolder folder;
+    const std::string model = folder.file("card.osgb");
+    ASSERT_TRUE(osgDB::writeNodeFile(*scene, model, new osgDB::Options("WriteImageHint=IncludeData")));
+    std::string log;
+    const Screen window = show(model + ".envlight", log);
+    ASSERT_FALSE(window.rgb.empty()) << log;
+    const auto at = [&](int x, int y) { return &window.rgb[3 * size_t(y * width + x)]; };
+    EXPECT_GT(at(width / 2, height / 2)[1], 2 * at(width / 2, height / 2)[0]) << "the disc";
+    EXPECT_GT(at(width / 2, height / 2 - 55)[0], 2 * at(width / 2, height / 2 - 55)[1]) << "the wall through the card";
 }
 
 // Who looks for a fault in an application turns the notify level up, and wants to find it among the lines.
