@@ -86,6 +86,7 @@ inline vec4 textureLod(const sampler2D& s, vec2 st, double)
 #define float double
 #include "lib/atlas.glsl"
 #include "lib/bilateral.glsl"
+#include "lib/bulge.glsl"
 #include "lib/constants.glsl"
 #include "lib/depth.glsl"
 #include "lib/frame.glsl"

@@ -33,7 +33,7 @@ void DeferredTechnique::addSunShadows(Cull& c, osgUtil::CullVisitor& cv, Target&
     const ShadowPlaces places{&c.frame.sunState(shadows), shadows.targets().origin};
     for (const bool filter : {false, true}) {
         PassInputs in;
-        in.samplers = {{"sunShadowMaps", shadows.texture()}};
+        in.samplers = {{"sunShadowMaps", shadows.texture()}, {"emissionMap", c.gbuffer.emission.get()}};
         static const char* const names[] = {"sunSeenMap0", "sunSeenMap1", "sunSeenMap2", "sunSeenMap3"};
         for (size_t i = 0; filter && i < 4; ++i)
             in.samplers.push_back({names[i], seen.textures[std::min(i, seen.textures.size() - 1)].get()});

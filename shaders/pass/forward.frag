@@ -98,7 +98,7 @@ float sunShare(int sun, Surface s)
 {
 #ifdef HAS_SUN_MAPS
     SunPixel q;
-    q.point = vec3(sunsFromEye * vec4(eyePosition, 1.0));
+    q.point = vec3(sunsFromEye * vec4(eyePosition + s.bulge * length(eyePosition) * s.normal, 1.0));
     q.normal = mat3(sunsFromEye) * s.normal;
     q.ray = mat3(sunsFromEye) * s.ray;
     q.quantum = 0.0;

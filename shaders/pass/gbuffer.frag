@@ -15,5 +15,5 @@ void main()
     albedo = vec4(s.albedo, s.alpha);
     normal = vec4(0.5 * s.normal + 0.5, s.roughness);
     specular = vec4(s.f0, float(s.brdf) / 255.0);
-    emission = vec4(s.emission * exp2(-emittedStops), 1.0);  // in the units of display(), as emitted() has it
+    emission = vec4(s.emission * exp2(-emittedStops), min(s.bulge, 0.49));  // in the units of display(), as emitted() has it
 }

@@ -7,6 +7,7 @@
 #include "pass/sunshadow.glsl"
 
 uniform mat4 atlasFromEye;
+uniform sampler2D emissionMap;
 
 SunPixel sunPixel(ivec2 p)
 {
@@ -16,6 +17,8 @@ SunPixel sunPixel(ivec2 p)
     SunPixel s;
     s.point = vec3(atlasFromEye * vec4(eye, 1.0));
     s.normal = mat3(atlasFromEye) * pixelNormal(p);
+    float bulge = texelFetch(emissionMap, p, 0).a;
+    if (bulge < 0.5) s.point += bulge * length(eye) * s.normal;  // programs of the host's own may write 1
     s.ray = mat3(atlasFromEye) * viewRay(inverseProjection, ndc);
     s.quantum = length(depthStep(inverseProjection, ndc, depth));
     s.footprint = pixelFootprint(inverseProjection, ndc, depth, viewportSize);

@@ -5,6 +5,7 @@
 #define SURFACE_GLSL
 #pragma import_defines(ENVLIGHT_COOK_TORRANCE, ENVLIGHT_LAMBERT, ENVLIGHT_PHONG, FACE_NORMAL, VERTEX_COLOR, UNLIT, NO_TEXTURE, LINEAR_TEXTURE, ALPHA_TEXTURE, TEXTURE_REPLACE, TEXTURE_DECAL, TEXTURE_BLEND, TEXTURE_ADD, PAINTED_REFLECTION, PHONG_MATERIAL, TWO_SIDED)
 
+#include "lib/bulge.glsl"
 #include "lib/depth.glsl"
 #include "lib/phong.glsl"
 #include "lib/tone.glsl"
@@ -28,6 +29,8 @@ uniform float envlightExponent;
 
 in vec3 eyePosition;
 in vec3 eyeNormal;
+flat in vec3 cornerPosition;
+flat in vec3 cornerNormal;
 in vec4 vertexColor;
 in vec3 textureCoordinate;  // s, t, q
 
@@ -40,16 +43,22 @@ struct Surface {
     vec3 f0;         // colour of the lobe at normal incidence
     int brdf;        // BRDF_LAMBERT, BRDF_PHONG, BRDF_COOK_TORRANCE
     vec3 emission;   // radiance
+    float bulge;     // of what the normals stand for above the facet, in shares of the distance to the eye
 };
 
-// Unit normal on the side that the view ray meets. The facet's own side decides, not gl_FrontFacing, which a mirroring
-// transform inverts.
-vec3 surfaceNormal(vec3 ray)
+// Unit normal of the facet, on the side that the view ray meets: that decides, not gl_FrontFacing, which a mirroring transform
+// inverts.
+vec3 facetNormal(vec3 ray)
 {
     vec3 facet = cross(dFdx(eyePosition), dFdy(eyePosition));
     float facetLength = length(facet);
     facet = facetLength > 0.0 ? facet / facetLength : vec3(0.0, 0.0, 1.0);
-    if (dot(facet, ray) > 0.0) facet = -facet;
+    return dot(facet, ray) > 0.0 ? -facet : facet;
+}
+
+// The unit normal that shades, on the facet's side.
+vec3 surfaceNormal(vec3 facet)
+{
 #ifdef FACE_NORMAL
     return facet;
 #else
@@ -123,11 +132,27 @@ const float PAINTED_ROUGHNESS = 0.2;
 const float PAINTED_REFLECTANCE = 0.9;
 #endif
 
+// In shares of the distance to the eye.
+float surfaceBulge(vec3 facet, vec3 normal)
+{
+#ifdef FACE_NORMAL
+    return 0.0;
+#else
+    float cornerLength = length(cornerNormal);
+    if (!(cornerLength > 0.0)) return 0.0;
+    vec3 corner = cornerNormal / cornerLength;
+    if (dot(corner, facet) < 0.0) corner = -corner;
+    return bulgeAbove(facet, eyePosition, normal, cornerPosition, corner) / max(length(eyePosition), 1e-20);
+#endif
+}
+
 Surface readSurface()
 {
     Surface s;
     s.ray = viewRayAt(gl_ProjectionMatrixInverse, eyePosition);
-    s.normal = surfaceNormal(s.ray);
+    vec3 facet = facetNormal(s.ray);
+    s.normal = surfaceNormal(facet);
+    s.bulge = surfaceBulge(facet, s.normal);
     s.roughness = 1.0;
     s.f0 = vec3(0.0);
     s.brdf = BRDF_LAMBERT;

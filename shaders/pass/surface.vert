@@ -7,6 +7,8 @@ uniform vec2 subpixel;  // shift of the picture in clip space over w
 
 out vec3 eyePosition;
 out vec3 eyeNormal;
+flat out vec3 cornerPosition;  // of one corner of the triangle
+flat out vec3 cornerNormal;
 out vec4 vertexColor;
 out vec3 textureCoordinate;  // s, t, q
 
@@ -14,6 +16,8 @@ void main()
 {
     eyePosition = vec3(gl_ModelViewMatrix * gl_Vertex);
     eyeNormal = gl_NormalMatrix * gl_Normal;
+    cornerPosition = eyePosition;
+    cornerNormal = eyeNormal;
     vertexColor = gl_Color;
 #ifndef NO_TEXTURE
     vec4 coordinate = gl_MultiTexCoord0;

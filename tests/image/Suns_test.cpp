@@ -54,6 +54,24 @@ TEST(Suns, DiffuseAgreesWithTheWholeMap)
     EXPECT_LT(largestDifference(whole, split), 4e-3 * level);  // at the horizon of the disc, where lights are points
 }
 
+TEST(Suns, ACoarseRoundBodyDoesNotShadeItsOwnTerminator)
+{
+    // A round body hides nothing from itself; its facets, between which the normals are interpolated, do.
+    // Measured: .0063, .0011, .00015; from the facets themselves .032, .0048, .0020.
+    for (const auto& [segments, most] : {std::pair(12, 0.01), std::pair(24, 0.002), std::pair(48, 0.0005)}) {
+        SceneRenderer renderer(96, 96);
+        renderer.lookAt(osg::Vec3d(2.6, 2.84, 0), osg::Vec3d());  // across the sun's direction
+        const osg::ref_ptr<LitScene> lit = makeLit(sunnySky().get());
+        lit->getSettings()->background = Settings::BACKGROUND_OFF;
+        lit->addChild(makeSphere(osg::Vec3d(), 1.0, segments));
+        const Picture shaded = renderer.render(lit, 3);
+        EXPECT_TRUE(lit->plan().sunShadows);
+        lit->getSettings()->occlusion = false;
+        const Picture open = renderer.render(lit, 2);
+        EXPECT_LT(rootMeanSquare(open, shaded) / ofGeometry(open).mean, most) << segments;
+    }
+}
+
 TEST(Suns, GlossyAgreesWithTheWholeMap)
 {
     for (bool phong : {false, true}) {
