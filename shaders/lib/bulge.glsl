@@ -8,18 +8,22 @@
 // Corners whose normals lean further from the facet's (sine) are those of an edge that was smoothed over, not of a round body.
 const float BULGE_MOST_LEAN = 0.5;
 
+// Normals that differ by less (sine) are those of a plane, whose curvature would be rounding.
+const float BULGE_LEAST_TURN = 0.005;
+
 // All unit vectors on one side of the facet. 0 where the surface is flat, hollow or has an edge.
 float bulgeAbove(vec3 facet, vec3 point, vec3 normal, vec3 corner, vec3 cornerNormal)
 {
-    vec3 across = point - corner;
-    float distance2 = dot(across, across);
-    float turn = dot(normal - cornerNormal, across);  // curvature times distance squared: negative in a hollow
-    if (turn <= 0.0 || distance2 <= 0.0) return 0.0;
-    float curvature = turn / distance2;
+    vec3 turn = normal - cornerNormal;
+    float along = dot(turn, point - corner);  // negative in a hollow
+    float turn2 = dot(turn, turn);
+    if (along <= 0.0 || turn2 <= BULGE_LEAST_TURN * BULGE_LEAST_TURN) return 0.0;
+    float curvature = turn2 / along;  // in the direction in which the normals turn: right for cylinders, too
     vec3 lean = cornerNormal - dot(cornerNormal, facet) * facet;
     vec3 here = normal - dot(normal, facet) * facet;
     float most = dot(lean, lean);
-    float fade = clamp((BULGE_MOST_LEAN - sqrt(most)) / (0.4 * BULGE_MOST_LEAN), 0.0, 1.0);
+    float fade = clamp((BULGE_MOST_LEAN - sqrt(most)) / (0.4 * BULGE_MOST_LEAN), 0.0, 1.0) *
+                 clamp(sqrt(turn2) / BULGE_LEAST_TURN - 1.0, 0.0, 1.0);
     // A sphere of that curvature through the corners: (L^2 - d^2) curvature / 2.
     return fade * max(most - dot(here, here), 0.0) / (2.0 * curvature);
 }
