@@ -5,8 +5,9 @@
 #ifndef BULGE_GLSL
 #define BULGE_GLSL
 
-// Corners whose normals lean further from the facet's (sine) are those of an edge that was smoothed over, not of a round body.
-const float BULGE_MOST_LEAN = 0.5;
+// Corners whose normals lean further from the facet's (sine) are those of bodies of fewer than some 16 sides: traced facets shade
+// themselves there (a spider's legs), and edges that were smoothed over are no round bodies.
+const float BULGE_MOST_LEAN = 0.3;
 
 // Normals that differ by less (sine) are those of a plane, whose curvature would be rounding.
 const float BULGE_LEAST_TURN = 0.005;
