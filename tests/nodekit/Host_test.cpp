@@ -143,7 +143,7 @@ TEST(Host, AddingAndRemovingAHundredTimesLeaksNothing)
     const GlObjects after = countGlObjects(renderer.state());
     EXPECT_EQ(before, after);
     // One round's own data is over 1 MB; the allocators and the driver's caches of shaders may keep some of it.
-    EXPECT_LT(growth.kilobytes(), 100 * 200);
+    EXPECT_LT(growth.kilobytes(), ResidentGrowth::chance);
 }
 
 TEST(Host, NoGlErrorAndNoWarning)

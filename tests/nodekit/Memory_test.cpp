@@ -101,7 +101,7 @@ TEST_P(Memory, StaysLevelUnderChangesOfSettings)
     EXPECT_EQ(objects, screen.objects());
     EXPECT_NEAR(double(fresh), double(lit->textureBytes()), 1024.0);  // a list of lights stays with its map
     RecordProperty("grownKilobytes", int(growth.kilobytes()));
-    EXPECT_LT(growth.kilobytes(), 10000);
+    EXPECT_LT(growth.kilobytes(), ResidentGrowth::chance);  // what leaked before the mend: 230 to 3700 MB in 300 rounds
 }
 
 INSTANTIATE_TEST_SUITE_P(Changes, Memory,
@@ -139,7 +139,7 @@ TEST(PresetMemory, StaysLevelUnderThirtyOneChanges)
     RecordProperty("grownKilobytes", int(growth.kilobytes()));
     EXPECT_EQ(bytes, lit->textureBytes());
     EXPECT_EQ(objects, screen.objects());
-    EXPECT_LT(growth.kilobytes(), 10000);
+    EXPECT_LT(growth.kilobytes(), ResidentGrowth::chance);  // what leaked before the mend: 230 to 3700 MB in 300 rounds
 }
 
 // A state set with the texture of a caster that has holes is kept from frame to frame, as long as the caster is there.
