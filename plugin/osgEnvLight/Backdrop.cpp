@@ -58,10 +58,12 @@ bool isBackdrop(const osgUtil::StateGraph& graph, const osgUtil::RenderLeaf& lea
     if (!drawable || !leaf._modelview) return false;
     const osg::BoundingBox box = drawable->getBoundingBox();
     if (!box.valid()) return false;
+    // The bounds first: few drawables are so large, and their state costs a walk up the graph.
+    const bool encloses = enclosesEye(box, *leaf._modelview);
+    if (negativeBin) return encloses || fillsScreen(box, leaf, stateOf(graph).ownProgram());
+    if (!encloses) return false;
     const SurfaceState state = stateOf(graph);
-    if (negativeBin) return enclosesEye(box, *leaf._modelview) || fillsScreen(box, leaf, state.ownProgram());
-    const bool inFront = state.depthTested() && state.depthWritten() && !state.atFarPlane();
-    return !inFront && !state.blending() && enclosesEye(box, *leaf._modelview);
+    return !state.storesDepth() && !state.blending();
 }
 
 std::string backdropIn(const osgUtil::StateGraph& graph, bool negativeBin, const char* where)

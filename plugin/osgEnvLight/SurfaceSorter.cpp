@@ -131,12 +131,10 @@ class SurfaceSort
         const osg::Geometry* geometry = geometryOf(leaf);
         const unsigned all = bits | (lacksNormals(geometry) ? unsigned(SurfaceSorter::FACE_NORMAL) : 0u);
         const bool foreign = leaf._projection.get() != _places.projection;
-        if (foreign || blends || state.drawnForward(geometry))
-            moveForward(leaf, sg, all, !foreign && state.litForward(geometry), to);
-        else
-            keep(leaf, sg, state, all, kept);
-        if (const char* what = foreign ? nullptr : state.unsupported(geometry))
-            _sorter.say(what, "drawn as without the node, not lit by the environment", leaf._drawable);
+        if (!foreign && !blends && !state.drawnForward(geometry)) return keep(leaf, sg, state, all, kept);
+        const char* unsupported = foreign ? nullptr : state.unsupported(geometry);
+        moveForward(leaf, sg, all, !foreign && !unsupported && state.litForward(), to);
+        if (unsupported) _sorter.say(unsupported, "drawn as without the node, not lit by the environment", leaf._drawable);
     }
 
     // One level down, under the variant that reads its state.

@@ -265,7 +265,7 @@ bool SurfaceState::atFarPlane() const
 
 bool SurfaceState::drawnForward(const osg::Geometry* geometry) const
 {
-    return _ownProgram || !depthTested() || !depthWritten() || atFarPlane() || blended(geometry) || unsupported(geometry);
+    return _ownProgram || !storesDepth() || blended(geometry) || unsupported(geometry);
 }
 
 bool SurfaceState::usesLaterUnits() const
@@ -308,8 +308,7 @@ const char* SurfaceState::unsupportedRaster(const osg::Geometry* geometry) const
         return "blending other than by alpha";
     const auto* depth = _depth.as<osg::Depth>();
     // What writes no depth is drawn forward, where all tests are as without us.
-    const bool inFront = depthTested() && depthWritten() && !atFarPlane();
-    if (inFront && (orderOf(depth) == 0 || orderOf(depth) != orderOf(_nodeDepth) || !sameDepthRange(depth, _nodeDepth)))
+    if (storesDepth() && (orderOf(depth) == 0 || orderOf(depth) != orderOf(_nodeDepth) || !sameDepthRange(depth, _nodeDepth)))
         return "depth tests for other than the nearest, and depth ranges";
     return nullptr;
 }
