@@ -2,9 +2,7 @@
 // The application's lights: which count, and the pass that adds what surfaces reflect of them.
 #include <osgEnvLight/DeferredTechnique>
 
-#include <osg/Notify>
-#include <osgUtil/CullVisitor>
-#include <osgViewer/View>
+#include <osg/Camera>
 
 #include <algorithm>
 
@@ -37,7 +35,7 @@ SceneLightList switchedOn(SceneLightList lights, unsigned modes)
 
 // The light of a LightSource behind the node in the graph is known only after the cull: that there is one, the frame before says,
 // what it is like, the end of this one's.
-void DeferredTechnique::findLights(Cull& c, osgUtil::CullVisitor& cv, const std::vector<ForwardGraph>& forward)
+void DeferredTechnique::findLights(Cull& c, const std::vector<ForwardGraph>& forward)
 {
     if (c.settings.sceneLights == Settings::SCENE_LIGHTS_OFF || !c.ownGBuffer) {
         c.view.lateLights.clear();
@@ -54,16 +52,13 @@ void DeferredTechnique::findLights(Cull& c, osgUtil::CullVisitor& cv, const std:
     c.lights = switchedOn(expected, modes.some);
     for (const SceneLight& l : switchedOn(c.lights, ~modes.all)) {
         std::lock_guard<std::mutex> lock(_mutex);
-        const std::string message = "light " + l.name + " is switched on for some of the surfaces only, and lights all of them";
-        if (_reported.insert(message).second) OSG_NOTICE << "osgEnvLight: " << message << std::endl;
+        reportOnce("light " + l.name + " is switched on for some of the surfaces only, and lights all of them", osg::NOTICE);
     }
-    auto* viewer = dynamic_cast<osgViewer::View*>(cv.getRenderInfo().getView());
     // All that this refers to lives as long as the cull.
     c.frame.gbufferStage->afterCull = [=, host = &c.host, frame = &c.frame, data = &c.view] {
         const SceneLightList all = findSceneLights(*host, view, withView);
         frame->sceneLights.set(switchedOn(all, modes.some));
-        data->lateLights = without(all, known);
-        if (viewer && !without(data->lateLights, expected).empty()) viewer->requestRedraw();
+        data->lateLights = without(all, known);  // shown by the frame that follows (LitScene::followFrame)
     };
 }
 

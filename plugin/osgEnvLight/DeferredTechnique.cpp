@@ -90,7 +90,7 @@ try {
     std::vector<ForwardGraph> forward;
     fillGBuffer(c, node, cv, forward);
     const std::string behind = chooseBackground(c, forward);
-    findLights(c, cv, forward);
+    findLights(c, forward);
 
     const bool shows = vd.plan.surfaces.deferred + vd.plan.surfaces.litForward > 0;
     const bool needed = settings->diffuse && radianceScale > 0.0 && shows;
@@ -219,9 +219,9 @@ ViewData& DeferredTechnique::view(osgUtil::CullVisitor& cv, osgUtil::RenderStage
     return *vd;
 }
 
-void DeferredTechnique::reportOnce(const std::string& message)
+void DeferredTechnique::reportOnce(const std::string& message, osg::NotifySeverity severity)
 {
-    if (_reported.insert(message).second) OSG_WARN << "osgEnvLight: " << message << std::endl;
+    if (_reported.insert(message).second) OSG_NOTIFY(severity) << "osgEnvLight: " << message << std::endl;
 }
 
 void DeferredTechnique::reloadShaders()
