@@ -126,23 +126,8 @@ void SceneState::setTexture(SurfaceMaterial& m, TextureCache& textures, std::set
     std::string reason;
     m.texture = textures.get(*t, textureFacts().linear, reason);
     if (!m.texture) leftOut.insert("textures, " + reason);
-    switch (m.texture ? textureMode() : TEXTURE_MODULATES) {
-        case TEXTURE_REPLACES:
-            m.textureMode = SurfaceMaterial::REPLACES;
-            break;
-        case TEXTURE_DECAL:
-            m.textureMode = SurfaceMaterial::DECAL;
-            break;
-        case TEXTURE_BLENDS:
-            m.textureMode = SurfaceMaterial::BLENDS;
-            m.textureColor = rgb(static_cast<const osg::TexEnv*>(textureEnvironment())->getColor());
-            break;
-        case TEXTURE_ADDS:
-            m.textureMode = SurfaceMaterial::ADDS;
-            break;
-        default:
-            break;
-    }
+    if (m.texture) m.textureMode = textureMode();
+    if (m.textureMode == TEXTURE_BLENDS) m.textureColor = rgb(static_cast<const osg::TexEnv*>(textureEnvironment())->getColor());
     if (coordinates() != FROM_VERTICES) leftOut.insert("generated texture coordinates: the vertices' own are taken");
 }
 

@@ -141,7 +141,7 @@ TEST(ContentHashTest, TellsEveryIngredientApart)
         [](Content& c) { c.scene.meshes[0].material.roughness = 0.5; },
         [](Content& c) { c.scene.meshes[0].material.color.a = 0.5; },
         [](Content& c) { c.scene.meshes[0].material.encoded = true; },
-        [](Content& c) { c.scene.meshes[0].material.textureMode = osgEnvLight::SurfaceMaterial::DECAL; },
+        [](Content& c) { c.scene.meshes[0].material.textureMode = osgEnvLight::SurfaceState::TEXTURE_DECAL; },
         [](Content& c) { c.scene.meshes[0].material.sides = osgEnvLight::SurfaceMaterial::SHOW_FRONT; },
         [](Content& c) { c.scene.origin.x = 1.0; },
         [](Content& c) { c.rotation = 1e-9; },
