@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Several views, viewports, sizes, parents and threading models, on a display.
+#include <OnScreen.h>
 #include <SceneRenderer.h>
 
 #include <osg/MatrixTransform>
@@ -28,28 +29,6 @@ class Grab : public osg::Camera::DrawCallback
   private:
     int _x, _y, _w, _h;
 };
-
-osg::ref_ptr<osg::GraphicsContext> makeWindow(int w, int h)
-{
-    osg::ref_ptr<osg::GraphicsContext::Traits> traits = new osg::GraphicsContext::Traits;
-    traits->readDISPLAY();
-    traits->setUndefinedScreenDetailsToDefaultScreen();
-    traits->width = w;
-    traits->height = h;
-    traits->windowDecoration = false;
-    traits->doubleBuffer = true;
-    traits->red = traits->green = traits->blue = traits->alpha = 8;
-    traits->depth = 24;
-    return osg::GraphicsContext::createGraphicsContext(traits.get());
-}
-
-int largestByteDifference(const osg::Image& a, const osg::Image& b)
-{
-    int largest = a.getTotalSizeInBytes() == b.getTotalSizeInBytes() ? 0 : 256;
-    for (unsigned i = 0; i < a.getTotalSizeInBytes() && largest < 256; ++i)
-        largest = std::max(largest, std::abs(int(a.data()[i]) - int(b.data()[i])));
-    return largest;
-}
 
 int byteRange(const osg::Image& a)
 {
@@ -111,7 +90,7 @@ osg::ref_ptr<osg::Image> run(osgViewer::ViewerBase::ThreadingModel model, bool t
         root->addChild(second);
     }
     osgViewer::CompositeViewer viewer;
-    osg::ref_ptr<osg::GraphicsContext> context = makeWindow(256, 128);
+    osg::ref_ptr<osg::GraphicsContext> context = makeContext(256, 128);
     if (!context) return nullptr;
     View a = addView(viewer, context.get(), root.get(), 0, 0, 128, 128, osg::Vec3d(0, -5, 1));
     View b = addView(viewer, context.get(), root.get(), 128, 0, 128, 128, osg::Vec3d(-4, -3, 2));
@@ -154,7 +133,7 @@ TEST_F(Views, ANodeMayDieWhileItsLastFrameIsDrawn)
     for (V::ThreadingModel model : {V::DrawThreadPerContext, V::CullThreadPerCameraDrawThreadPerContext}) {
         osg::ref_ptr<osg::Group> root = new osg::Group;
         osgViewer::CompositeViewer viewer;
-        osg::ref_ptr<osg::GraphicsContext> context = makeWindow(256, 128);
+        osg::ref_ptr<osg::GraphicsContext> context = makeContext(256, 128);
         ASSERT_TRUE(context);
         View a = addView(viewer, context.get(), root.get(), 0, 0, 256, 128, osg::Vec3d(0, -5, 1));
         viewer.setThreadingModel(model);
@@ -177,7 +156,7 @@ TEST_F(Views, AnOffsetViewportShowsTheSamePicture)
         osg::ref_ptr<LitScene> lit = makeScene();
         osgViewer::CompositeViewer viewer;
         viewer.setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
-        osg::ref_ptr<osg::GraphicsContext> context = makeWindow(256, 256);
+        osg::ref_ptr<osg::GraphicsContext> context = makeContext(256, 256);
         ASSERT_TRUE(context);
         View v = addView(viewer, context.get(), lit.get(), i * 100, i * 60, 120, 90, osg::Vec3d(0, -5, 1));
         viewer.realize();
@@ -193,7 +172,7 @@ TEST_F(Views, DataIsFreedWithTheView)
     osg::ref_ptr<LitScene> lit = makeScene();
     osgViewer::CompositeViewer viewer;
     viewer.setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
-    osg::ref_ptr<osg::GraphicsContext> context = makeWindow(256, 128);
+    osg::ref_ptr<osg::GraphicsContext> context = makeContext(256, 128);
     ASSERT_TRUE(context);
     View a = addView(viewer, context.get(), lit.get(), 0, 0, 128, 128, osg::Vec3d(0, -5, 1));
     View b = addView(viewer, context.get(), lit.get(), 128, 0, 128, 128, osg::Vec3d(0, 5, 1));

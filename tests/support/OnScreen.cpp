@@ -42,7 +42,7 @@ long ResidentGrowth::now()
     return resident * 4;
 }
 
-osg::ref_ptr<osg::GraphicsContext> makeContext(int width, int height, bool coreProfile)
+osg::ref_ptr<osg::GraphicsContext> makeContext(int width, int height, bool coreProfile, unsigned stencilBits)
 {
     if (!std::getenv("DISPLAY")) return nullptr;
     osg::ref_ptr<osg::GraphicsContext::Traits> traits = new osg::GraphicsContext::Traits;
@@ -54,6 +54,7 @@ osg::ref_ptr<osg::GraphicsContext> makeContext(int width, int height, bool coreP
     traits->doubleBuffer = true;
     traits->red = traits->green = traits->blue = traits->alpha = 8;
     traits->depth = 24;
+    traits->stencil = stencilBits;
     if (coreProfile) {
         traits->glContextVersion = "3.3";
         traits->glContextProfileMask = 1;

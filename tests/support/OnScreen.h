@@ -43,7 +43,7 @@ class ResidentGrowth
 };
 
 /** A new window on the display that DISPLAY names, with a context of its own; null if there is none. */
-osg::ref_ptr<osg::GraphicsContext> makeContext(int width, int height, bool coreProfile = false);
+osg::ref_ptr<osg::GraphicsContext> makeContext(int width, int height, bool coreProfile = false, unsigned stencilBits = 0);
 
 /** Reads the picture at the end of each frame, and counts the context's objects when asked to. */
 class FrameReader : public osg::Camera::DrawCallback

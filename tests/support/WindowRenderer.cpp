@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "WindowRenderer.h"
 
+#include "OnScreen.h"
+
 #include <stdexcept>
 
 namespace
@@ -27,17 +29,7 @@ class ReadBeforeSwap : public osg::GraphicsContext::SwapCallback
 
 WindowRenderer::WindowRenderer(int width, int height, int stencilBits) : _viewer(new osgViewer::Viewer)
 {
-    osg::ref_ptr<osg::GraphicsContext::Traits> traits = new osg::GraphicsContext::Traits;
-    traits->readDISPLAY();
-    traits->setUndefinedScreenDetailsToDefaultScreen();
-    traits->width = width;
-    traits->height = height;
-    traits->windowDecoration = false;
-    traits->doubleBuffer = true;
-    traits->red = traits->green = traits->blue = traits->alpha = 8;
-    traits->depth = 24;
-    traits->stencil = unsigned(stencilBits);
-    _window = osg::GraphicsContext::createGraphicsContext(traits.get());
+    _window = makeContext(width, height, false, unsigned(stencilBits));
     if (!_window) throw std::runtime_error("no window: is DISPLAY set?");
     _window->setSwapCallback(new ReadBeforeSwap(width, height));
     _viewer->setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
