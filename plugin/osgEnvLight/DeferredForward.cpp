@@ -35,7 +35,7 @@ void DeferredTechnique::setForwardState(Cull& c)
     if (!textures.suns().empty()) {
         in.defines.push_back("HAS_SUNS");
         if (c.settings.suns == Settings::SUNS_AUTO) in.defines.push_back("SUN_DIFFUSE");
-        textures.addSuns(s);
+        textures.addSuns(in.uniforms);
     }
     const auto addPlace = [&](const char* name, const osg::Vec3d& origin) {
         s.addUniform(new osg::Uniform(name, osg::Matrixf(c.worldFromEye * osg::Matrixd::translate(-origin))));
@@ -65,6 +65,7 @@ void DeferredTechnique::setForwardState(Cull& c)
         in.samplers.push_back({"bounceMap", c.view.target("bouncesum", {}).textures[0].get()});
     }
     for (const std::string& d : in.defines) s.setDefine(d);
+    for (const osg::ref_ptr<osg::Uniform>& u : in.uniforms) s.addUniform(u.get());
     for (unsigned i = 0; i < in.samplers.size(); ++i) bind(s, firstUnit + i, in.samplers[i]);
 }
 

@@ -21,7 +21,8 @@ AtlasRefresh::States DeferredTechnique::mapStates(Cull& c, const std::string& na
 {
     AtlasRefresh::States states;
     for (const bool second : {false, true}) {
-        ViewData::State state = c.view.state(name + (second ? " casters second" : " casters first"));
+        ViewData::State state =
+            c.view.state({name + (second ? " casters second" : " casters first"), {}, {targets.firstDepth.get()}});
         osg::StateSet& s = state.stateSet;
         (second ? states.second : states.first) = &s;
         if (!state.isNew) continue;
@@ -34,7 +35,7 @@ AtlasRefresh::States DeferredTechnique::mapStates(Cull& c, const std::string& na
         s.setAttribute(new osg::ColorMask(false, true, false, false), on);  // beside the first one's slope
         bind(s, 1, {"firstDepthMap", targets.firstDepth.get()});
     }
-    ViewData::State state = c.view.state(name + " maps");
+    ViewData::State state = c.view.state({name + " maps", {}, {targets.firstDepth.get()}});
     states.midpoints = &state.stateSet;
     if (state.isNew) {
         osg::StateSet& s = state.stateSet;
@@ -57,7 +58,7 @@ void DeferredTechnique::addRefresh(Cull& c, osgUtil::CullVisitor& cv, const std:
     refresh->prepare(targets, refreshes, std::move(casters), mapStates(c, name, shader, targets), c.timed);
     osg::ref_ptr<Pass>& pass = f.passes[name];
     if (!pass) pass = new Pass(refresh.get());
-    pass->add(c.host, camera, *c.view.viewport(), c.view.state(name).stateSet, *f.uniforms, cv.getProjectionMatrix(),
+    pass->add(c.host, camera, *c.view.viewport(), c.view.state({name}).stateSet, *f.uniforms, cv.getProjectionMatrix(),
               cv.getModelViewMatrix());
 }
 

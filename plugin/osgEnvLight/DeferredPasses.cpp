@@ -23,7 +23,11 @@ osg::StateSet& DeferredTechnique::gbufferState(Cull& c)
 {
     const DepthConvention& depth = c.depth;
     const bool plain = !depth.reversed && depth.near == 0.0 && depth.far == 1.0;
-    ViewData::State state = c.view.state(plain ? "gbuffer" : depth.grows() ? "gbuffer growing" : "gbuffer falling");
+    ViewData::State state = c.view.state({plain           ? "gbuffer"
+                                          : depth.grows() ? "gbuffer growing"
+                                                          : "gbuffer falling",
+                                          {},
+                                          {c.view.viewport()}});
     if (!state.isNew) return state.stateSet;
     GBufferCallback::setState(state.stateSet, _library->program("pass/surface.vert", "pass/gbuffer.frag"), c.view.viewport());
     const double near = depth.grows() ? 0.0 : 1.0;
@@ -43,12 +47,20 @@ osg::StateSet& DeferredTechnique::passState(Cull& c, const std::string& name, co
 {
     const bool composite = name == "composite";
     const bool reversed = composite && c.depth.reversed;
-    std::string key = name + " " + std::to_string(inputs.lights) + (inputs.adds ? " adds" : "") + (reversed ? " reversed" : "");
-    for (const std::string& d : inputs.defines) key += " " + d;
+    osg::Viewport* viewport = inputs.viewport ? inputs.viewport : c.view.viewport();
+    std::vector<Sampler> all = {{"albedoMap", c.gbuffer.albedo.get()},
+                                {"normalMap", c.gbuffer.normal.get()},
+                                {"specularMap", c.gbuffer.specular.get()},
+                                {"depthMap", c.gbuffer.depth.get()}};
+    all.insert(all.end(), inputs.samplers.begin(), inputs.samplers.end());
+    ViewData::StateKey key{name + (inputs.adds ? " adds" : "") + (reversed ? " reversed" : ""), inputs.defines, {viewport}};
+    for (const Sampler& sampler : all) key.objects.push_back(sampler.texture);
+    for (const osg::ref_ptr<osg::Uniform>& u : inputs.uniforms) key.objects.push_back(u.get());
     ViewData::State state = c.view.state(key);
     osg::StateSet& s = state.stateSet;
     if (!state.isNew) return s;
-    s.setName("osgEnvLight " + key);
+    s.setName("osgEnvLight " + name);
+    for (const osg::ref_ptr<osg::Uniform>& u : inputs.uniforms) s.addUniform(u.get());
     for (const std::string& d : inputs.defines) s.setDefine(d);
     s.setAttribute(_library->program("pass/fullscreen.vert", "pass/" + name + ".frag"), on);
     for (GLenum mode : {GLenum(GL_BLEND), GLenum(GL_CULL_FACE), GLenum(GL_LIGHTING), GLenum(GL_ALPHA_TEST)}) s.setMode(mode, off);
@@ -57,12 +69,7 @@ osg::StateSet& DeferredTechnique::passState(Cull& c, const std::string& name, co
     s.setAttribute(new osg::PolygonMode, on);
     const auto test = reversed ? osg::Depth::GEQUAL : osg::Depth::LEQUAL;
     s.setAttributeAndModes(new osg::Depth(composite ? test : osg::Depth::ALWAYS, 0, 1, composite), composite ? on : off);
-    if (!composite) s.setAttribute(inputs.viewport ? inputs.viewport : c.view.viewport());
-    std::vector<Sampler> all = {{"albedoMap", c.gbuffer.albedo.get()},
-                                {"normalMap", c.gbuffer.normal.get()},
-                                {"specularMap", c.gbuffer.specular.get()},
-                                {"depthMap", c.gbuffer.depth.get()}};
-    all.insert(all.end(), inputs.samplers.begin(), inputs.samplers.end());
+    if (!composite) s.setAttribute(viewport);
     for (unsigned unit = 0; unit < all.size(); ++unit) bind(s, unit, all[unit]);
     return s;
 }
@@ -110,7 +117,6 @@ void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
     if (c.ownGBuffer) c.host.addPreRenderStage(c.frame.gbufferStage.get(), afterHosts);
     const Plan& plan = c.view.plan;
     MapTextures& textures = c.view.textures();
-    // All targets first: a new one forgets the state sets that read its predecessor.
     const auto halves = [](size_t count) { return std::vector<GLint>(count, GL_RGBA16F_ARB); };
     Target* lit = plan.sceneLights ? &lightTarget(c) : nullptr;
     Target* seen = plan.sunShadows ? &c.view.target("sunshadow", halves((plan.suns + 1) / 2)) : nullptr;
@@ -136,18 +142,17 @@ void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
     if (c.shadesSuns()) addSunShadows(c, cv, *seen, *visibility);
     if (diffuse) {
         PassInputs in;
-        in.lights = plan.diffuseLights;
-        if (plan.diffuseLights)
+        if (plan.diffuseLights) {
             in.samplers.push_back({"diffuseLightMap", textures.diffuseLights()});
-        else
+        } else {
             in.defines.push_back(plan.diffuseHarmonics == 9 ? "DIFFUSE_SH_9" : "DIFFUSE_SH_18");
+            in.uniforms.push_back(textures.harmonics());
+        }
         addLobes(c, in);
         if (plan.sunDiffuse) in.defines.push_back("HAS_SUNS");
         if (plan.sunDiffuse && c.shadesSuns()) addSunVisibility(c, in);
-        osg::StateSet& state = passState(c, "diffuse", in);
-        if (plan.sunDiffuse) textures.addSuns(state);
-        if (!plan.diffuseLights) state.addUniform(textures.harmonics());
-        addPass(c, cv, "diffuse", *diffuse, state);
+        if (plan.sunDiffuse) textures.addSuns(in.uniforms);
+        addPass(c, cv, "diffuse", *diffuse, passState(c, "diffuse", in));
     }
     if (sums && !c.adds()) addOcclusion(c, cv, *sums, *filtered);
     if (specular) {
@@ -161,9 +166,8 @@ void DeferredTechnique::addPasses(Cull& c, osgUtil::CullVisitor& cv)
             if (c.adds()) in.defines.push_back("LOBES_UNOCCLUDED");
             in.samplers.push_back({"lobeSeenMap", filtered->textures[1].get()});
         }
-        osg::StateSet& state = passState(c, "specular", in);
-        if (plan.suns) textures.addSuns(state);
-        addPass(c, cv, "specular", *specular, state);
+        if (plan.suns) textures.addSuns(in.uniforms);
+        addPass(c, cv, "specular", *specular, passState(c, "specular", in));
     }
     if (c.adds()) {
         addAccumulation(c, cv);
@@ -235,7 +239,6 @@ void DeferredTechnique::addOcclusion(Cull& c, osgUtil::CullVisitor& cv, Target& 
         in.defines.push_back("HAS_ATLAS");
         addMaps(in, atlas, c.finer);
     } else {
-        in.lights = plan.occlusionLights;
         in.samplers = {{"occlusionLightMap", textures.occlusionLights(plan.occlusionLights)}};
     }
     // Beside the atlas it is slices, whatever the method of the screen alone.
@@ -297,8 +300,8 @@ DeferredTechnique::PassInputs DeferredTechnique::compositeInputs(Cull& c)
     if (s.output == Settings::LINEAR) defines.push_back("OUTPUT_LINEAR");
     if (s.view != Settings::BEAUTY) defines.push_back("VIEW_TERM");
     if (s.view == Settings::LIGHT_LIST) {
-        in.lights = unsigned(c.view.textures().diffuseList().size());
         samplers.push_back({"diffuseLightMap", c.view.textures().diffuseLights()});
+        c.view.textures().addSuns(in.uniforms);
     }
     return in;
 }
@@ -306,7 +309,6 @@ DeferredTechnique::PassInputs DeferredTechnique::compositeInputs(Cull& c)
 void DeferredTechnique::addComposite(Cull& c, osgUtil::CullVisitor& cv)
 {
     osg::StateSet& state = passState(c, "composite", compositeInputs(c));
-    if (c.settings.view == Settings::LIGHT_LIST) c.view.textures().addSuns(state);
     if (!c.frame.composite) c.frame.composite = new FullScreen("composite", &c.view.timer("composite"), c.frame.triangle.get());
     prepare(*c.frame.composite, state, c);
     c.frame.composite->owner = this;

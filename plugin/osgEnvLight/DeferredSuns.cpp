@@ -38,9 +38,8 @@ void DeferredTechnique::addSunShadows(Cull& c, osgUtil::CullVisitor& cv, Target&
         for (size_t i = 0; filter && i < 4; ++i)
             in.samplers.push_back({names[i], seen.textures[std::min(i, seen.textures.size() - 1)].get()});
         const char* name = filter ? "sunfilter" : "sunshadow";
-        osg::StateSet& state = passState(c, name, in);
-        c.view.textures().addSuns(state);
-        addPass(c, cv, name, filter ? visibility : seen, state, places);
+        c.view.textures().addSuns(in.uniforms);
+        addPass(c, cv, name, filter ? visibility : seen, passState(c, name, in), places);
     }
 }
 

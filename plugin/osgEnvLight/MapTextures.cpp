@@ -258,10 +258,10 @@ double MapTextures::exposure()
     return *_exposure;
 }
 
-void MapTextures::addSuns(osg::StateSet& state)
+void MapTextures::addSuns(std::vector<osg::ref_ptr<osg::Uniform>>& uniforms)
 {
     if (_sunUniforms.empty()) makeSunUniforms();
-    for (const osg::ref_ptr<osg::Uniform>& u : _sunUniforms) state.addUniform(u.get());
+    uniforms.insert(uniforms.end(), _sunUniforms.begin(), _sunUniforms.end());
 }
 
 void MapTextures::makeSunUniforms()

@@ -211,7 +211,6 @@ void ViewData::fit(int width, int height, MapTextures* textures)
         _frames.clear();
         _accumulation = nullptr;
     }
-    if (sizeChanged || textures != _textures.get()) _states.clear();
     _textures = textures;
 }
 
@@ -227,7 +226,6 @@ Target& ViewData::target(const std::string& pass, const std::vector<GLint>& form
     if (!target || (!formats.empty() && formats.size() != target->textures.size())) {
         if (target) retire(*target);
         target = new Target(side ? side : _width, side ? side : _height, formats, *_plainCamera, _failure.get());
-        _states.clear();  // those that read the pass's former target
     }
     return *target;
 }
@@ -248,7 +246,6 @@ ViewData::Atlas& ViewData::atlas(const std::string& pass, unsigned lights, unsig
         atlas.maps = new ShadowAtlas(lights, size);
         atlas.camera = new StageCamera(*_plainCamera);
         BindTargets::install(*atlas.camera, atlas.maps->targets().maps, nullptr, _failure.get());
-        _states.clear();  // those that read the former one
     }
     return atlas;
 }
@@ -276,7 +273,6 @@ SunShadows& ViewData::sunShadows(unsigned suns, unsigned levels, unsigned size)
         _sunShadows = new SunShadows(suns, levels, size);
         _sunCamera = new StageCamera(*_plainCamera);
         BindTargets::install(*_sunCamera, _sunShadows->targets().maps, nullptr, _failure.get());
-        _states.clear();  // those that read the former ones
     }
     return *_sunShadows;
 }
@@ -287,7 +283,7 @@ void ViewData::dropSunShadows()
     _sunShadows = nullptr;
 }
 
-ViewData::State ViewData::state(const std::string& key)
+ViewData::State ViewData::state(const StateKey& key)
 {
     KeptState& kept = _states[key];
     const bool isNew = !kept.stateSet;

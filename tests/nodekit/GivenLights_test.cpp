@@ -11,6 +11,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include "SceneRenderer.h"
 
@@ -74,6 +75,40 @@ TEST(GivenLights, LightDInPlaceOfTheMaps)
     EXPECT_EQ(renderer.render(lit, 1).color(16, 16)[0], 0.0);
     lit->getEnvironmentMap()->setLights(nullptr);
     EXPECT_NEAR(renderer.render(lit, 1).color(16, 16)[0], 1.0, 0.005);
+}
+
+TEST(GivenLights, AnotherListOfEqualLengthIsShown)
+{
+    SceneRenderer renderer(32, 32);
+    renderer.lookAt(osg::Vec3d(0, 0, 3), osg::Vec3d(), osg::Vec3d(0, 1, 0));
+    osg::ref_ptr<LitScene> lit = floorUnder(constantMap(1.0).get());
+    for (const bool occlusion : {false, true}) {
+        lit->getSettings()->occlusion = occlusion;  // whose list is in another texture
+        for (const osg::Vec3d& flux : {osg::Vec3d(3, 0, 0), osg::Vec3d(0, 3, 0), osg::Vec3d(0, 0, 3)}) {
+            auto lights = std::make_shared<LightList>();
+            lights->push_back({osg::Vec3d(0, 0, 1), flux});
+            lit->getEnvironmentMap()->setLights(lights);
+            const osg::Vec3d color = renderer.render(lit, 1).color(16, 16);
+            for (int k = 0; k < 3; ++k) EXPECT_NEAR(color[k], flux[k] / osg::PI, 2e-3) << k;
+        }
+    }
+}
+
+// Lists of one length that differ by what samples them: each has an error of D of its own.
+TEST(GivenLights, AnotherSamplerIsShown)
+{
+    SceneRenderer renderer(32, 32);
+    renderer.lookAt(osg::Vec3d(0, 0, 3), osg::Vec3d(), osg::Vec3d(0, 1, 0));
+    osg::ref_ptr<LitScene> lit = floorUnder(makeMap(64, 32, sixDirectionColor));
+    std::string error;
+    for (const auto& [name, value] : {std::pair("diffuseCarrier", "lights"), {"diffuseLights", "16"}, {"lightWeights", "off"}})
+        ASSERT_TRUE(lit->getSettings()->set(name, value, error)) << error;
+    std::set<double> shown;
+    for (const char* sampler : {"median-cut", "inverse-cdf", "structured"}) {
+        ASSERT_TRUE(lit->getSettings()->set("lightSampler", sampler, error)) << error;
+        shown.insert(renderer.render(lit, 1).color(16, 16)[0]);
+    }
+    EXPECT_EQ(shown.size(), 3u);
 }
 
 TEST(GivenLights, FromASceneDescriptionAndASavedFile)
