@@ -38,15 +38,21 @@ void BindTargets::operator()(osg::RenderInfo& renderInfo) const
         ext->glBindFramebuffer(GL_FRAMEBUFFER_EXT, context ? context->getDefaultFboId() : 0);
         return;
     }
+    bindFrameBuffer(state, *_target);
+    if (_checked.insert(state.getContextID()).second) check(state);
+    if (_timer) _timer->begin(state);
+}
+
+void BindTargets::check(osg::State& state) const
+{
+    const auto* ext = state.get<osg::GLExtensions>();
     GLint profile = 0;
     if (ext->glVersion >= 3.2f) glGetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
     if (profile & GL_CONTEXT_CORE_PROFILE_BIT)
         _failure->report(state.getContextID(),
                          "this is a core profile of OpenGL, in which OpenSceneGraph's fixed-function state does not work");
-    bindFrameBuffer(state, *_target);
     if (ext->glCheckFramebufferStatus(GL_FRAMEBUFFER_EXT) != GL_FRAMEBUFFER_COMPLETE_EXT)
         _failure->report(state.getContextID(), "this OpenGL can't draw into the G-buffer's formats (frame buffer incomplete)");
-    if (_timer) _timer->begin(state);
 }
 
 GBufferCallback::GBufferCallback(int width, int height) : _gbuffer(new GBuffer(width, height)), _sorter(new SurfaceSorter)
