@@ -34,7 +34,7 @@ struct Arguments {
     SceneOptions scene;
     std::string output;
     std::string paths = "direct";
-    std::string estimator = "cosine";
+    std::string estimator = "mis";
     std::string term = "beauty";
     std::string lights;
     std::vector<int> pixel;
@@ -185,8 +185,8 @@ int main(int argc, char** argv)
                    "alone), indirect, emission, albedo, normal, depth")
         ->check(CLI::IsMember(termNames));
     app.add_option("--estimator", a.estimator,
-                   "cosine (default) or uniform: nothing is shared with the shaders but the BRDF's value; mis: map, lobe and "
-                   "cosine together, the same mean with far less noise")
+                   "mis (default): map, lobe and cosine together; cosine or uniform: nothing is shared with the shaders but the "
+                   "BRDF's value, the same mean with far more noise")
         ->check(CLI::IsMember(estimatorNames));
     app.add_option("--spp", a.options.samples, "samples per pixel, default 256")->check(CLI::Range(1u, 1u << 24));
     app.add_option("--error", a.options.error, "stop at this standard error, as a share of the picture's mean: .01 is 1 %")
