@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # cmake -DROOT=shaders -DFILES=a;b -DOUTPUT=x.cpp -P EmbedShaders.cmake
 # Writes one table of (name, text). Bytes go through hex because file(READ) loses ';', '[' and '\'.
-set(table "// Generated from shaders/ by plugin/cmake/EmbedShaders.cmake.\n#include <osgEnvLight/ShaderLibrary>\n\nnamespace osgEnvLight\n{\n\nconst EmbeddedShader embeddedShaders[] = {\n")
+set(table "// Generated from shaders/ by plugin/cmake/EmbedShaders.cmake.\n#include \"gl/ShaderLibrary.h\"\n\nnamespace osgEnvLight\n{\n\nconst EmbeddedShader embeddedShaders[] = {\n")
 foreach(file IN LISTS FILES)
     file(RELATIVE_PATH name ${ROOT} ${file})
     file(READ ${file} hex HEX)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <osgEnvLight/ReadMessage>
+#include "base/ReadMessage.h"
 #include <osgEnvLight/SceneDescription>
 
 #include <osgDB/FileNameUtils>

@@ -3,7 +3,7 @@
 
 #include "Directions.h"
 
-#include <osgEnvLight/AlbedoTable>
+#include "surface/AlbedoTable.h"
 #include <osgEnvLight/Material>
 
 #include <algorithm>

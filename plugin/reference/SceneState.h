@@ -2,7 +2,7 @@
 // The state above a drawable, as the flattener reads it.
 #pragma once
 
-#include <osgEnvLight/SurfaceState>
+#include "surface/SurfaceState.h"
 
 #include <reference/TriangleScene>
 

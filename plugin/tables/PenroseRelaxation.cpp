@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "PenroseRelaxation.h"
 
-#include <osgEnvLight/PenroseTiling>
+#include "lights/PenroseTiling.h"
 
 #include <algorithm>
 #include <cmath>

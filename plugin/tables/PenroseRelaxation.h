@@ -2,7 +2,7 @@
 // Makes the table of corrections of the Penrose points: osgEnvLight/PenroseTable.
 #pragma once
 
-#include <osgEnvLight/PenroseTable>
+#include "lights/PenroseTable.h"
 
 /** One row, by Lloyd's relaxation [1982] of points of flat importance: each way to a Voronoi cell's centroid averaged over the
  * points of one structural index, in their tiles' frames.

@@ -10,7 +10,9 @@ int main()
     std::puts(
         "// SPDX-License-Identifier: MIT\n"
         "// Made by envlight_penrose_table (plugin/tables).\n"
-        "#include <osgEnvLight/PenroseTable>\n\n"
+        "#include " lights /
+        PenroseTable.h
+        "\n\n"
         "namespace osgEnvLight\n{\n\n"
         "// clang-format off\n"
         "const PenroseTable penroseTable = {{");

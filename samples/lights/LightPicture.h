@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgEnvLight/EnvironmentMap>
 #include <osgEnvLight/LightFile>
 
 /** The map as a latitude-longitude picture, exposed by its own brightness, with its lights drawn on it: each a disc on the

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgEnvLight/EnvironmentMap>
 #include <osgEnvLight/LightFile>
 
 #include <string>

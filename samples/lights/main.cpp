@@ -5,6 +5,9 @@
 #include "LightPicture.h"
 #include "PluginPath.h"
 #include "Statistics.h"
+#include "environment/DominantLight.h"
+
+#include <osgEnvLight/LightSampler>
 
 #include <osgDB/FileNameUtils>
 #include <osgDB/FileUtils>

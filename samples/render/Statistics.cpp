@@ -18,21 +18,21 @@ bool Statistics::write(const std::string& fileName, const osgEnvLight::LitScene&
     j["frames"] = frames;
     j["firstFrameMilliseconds"] = firstFrame;
     j["lastFrameMilliseconds"] = lastFrame;
-    if (lit.plan().accumulate) {
-        const osgEnvLight::DeferredTechnique::Average average = lit.average();
-        j["average"] = {{"frames", average.frames}, {"lights", average.frames * osgEnvLight::Accumulation::lightsPerFrame}};
+    if (lit.plan().runs("accumulate")) {
+        const osgEnvLight::Average average = lit.average();
+        j["average"] = {{"frames", average.frames}, {"lights", average.lights}};
         if (average.standardError >= 0.0) j["average"]["standardError"] = average.standardError;
     }
     j["textureBytes"] = lit.textureBytes();
     const osgEnvLight::Plan plan = lit.plan();
-    for (const auto& r : plan.reasons) j["plan"].push_back({{"pass", r.pass}, {"runs", r.runs}, {"reason", r.reason}});
-    for (const auto& t : lit.passTimes()) {
-        j["passes"][t.pass]["cpuMilliseconds"] = t.cpu;
-        if (t.gpu >= 0.0) j["passes"][t.pass]["gpuMilliseconds"] = t.gpu;
+    for (const auto& r : plan.passes) {
+        j["plan"].push_back({{"pass", r.pass}, {"runs", r.runs}, {"reason", r.reason}});
+        if (r.cpu >= 0.0) j["passes"][r.pass]["cpuMilliseconds"] = r.cpu;
+        if (r.gpu >= 0.0) j["passes"][r.pass]["gpuMilliseconds"] = r.gpu;
     }
     j["counts"] = {{"diffuseLights", plan.diffuseLights},
                    {"occlusionLights", plan.occlusionLights},
-                   {"specularSamples", plan.specular ? lit.getSettings()->specularSamples : 0},
+                   {"specularSamples", plan.runs("specular") ? lit.getSettings()->specularSamples : 0},
                    {"suns", plan.suns},
                    {"sunMapsDrawn", lit.drawnSunMaps()},
                    {"deferredDrawables", plan.surfaces.deferred},

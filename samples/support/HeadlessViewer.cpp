@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "HeadlessViewer.h"
 
-#include <osgEnvLight/GBuffer>
+#include "gl/TargetTexture.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "PluginPath.h"
 
-#include <osgEnvLight/ShaderLibrary>
+#include "gl/ShaderLibrary.h"
 
 #include <osgDB/FileNameUtils>
 #include <osgDB/Registry>

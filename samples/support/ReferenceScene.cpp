@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ReferenceScene.h"
 
-#include <osgEnvLight/Exposure>
+#include "environment/Exposure.h"
 
 #include <metrics/Display>
 

@@ -70,7 +70,8 @@ void Measurement::time(Point& point)
     for (int i = 0; i < frames; ++i) {
         times.push_back(_viewer.draw(instant));
         // A query is read a frame late: the first is that of a frame that warmed up, which is as good.
-        for (const auto& pass : _lit.passTimes()) {
+        for (const auto& pass : _lit.plan().passes) {
+            if (pass.cpu < 0.0) continue;
             if (passes.find(pass.pass) == passes.end()) order.push_back(pass.pass);
             passes[pass.pass].push_back(pass.gpu >= 0.0 ? pass.gpu : pass.cpu);
         }

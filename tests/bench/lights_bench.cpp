@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Light lists on one core, part by part, on the study's courtyard at 1024 columns; its sky with a sun where that is not
 // installed. Tables of 16384 columns (6 GB) only where the filter names them: --benchmark_filter=table/16384
-#include <osgEnvLight/DiffuseCarrier>
-#include <osgEnvLight/DominantLight>
-#include <osgEnvLight/LightClusters>
+#include "lights/DiffuseCarrier.h"
+#include "environment/DominantLight.h"
+#include "lights/LightClusters.h"
 
 #include <benchmark/benchmark.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every sampler on the twelve study maps: envlight_lights_study FOLDER [columns, default 512]
 // writes lights.csv, and plots of the geometric means over the real maps where gnuplot is on the path.
-#include <osgEnvLight/MapOptions>
+#include "lights/MapOptions.h"
 
 #include <chrono>
 #include <cstdlib>

@@ -32,7 +32,7 @@ osg::ref_ptr<LitScene> makeWall(osg::Image* map)
 
 double passTime(const LitScene& lit)
 {
-    for (const auto& t : lit.passTimes())
+    for (const auto& t : lit.plan().passes)
         if (t.pass == "occlusion") return t.gpu;
     return -1.0;
 }

@@ -3,7 +3,7 @@
 #include <SceneRenderer.h>
 
 #include <osgEnvLight/BuiltinMaps>
-#include <osgEnvLight/MapTextures>
+#include "lights/MapTextures.h"
 
 #include <benchmark/benchmark.h>
 

@@ -36,7 +36,8 @@ osg::ref_ptr<LitScene> makeScene()
         osg::ref_ptr<osg::Geode> sphere = makeSphere(osg::Vec3d(-2 + 2 * (i % 3), -2 + 2 * (i / 3), 0.8), 0.8);
         osg::StateSet& s = *sphere->getOrCreateStateSet();
         if (i % 3 == 0) Material::setCookTorrance(s, osg::Vec3f(0.9f, 0.7f, 0.3f), 1.0f, 0.15f + 0.2f * float(i) / 3.0f);
-        if (i % 3 == 1) Material::setPhong(s, osg::Vec3f(0.4f, 0.1f, 0.1f), osg::Vec3f(0.3f, 0.3f, 0.3f), 20.0f + 40.0f * float(i));
+        if (i % 3 == 1)
+            Material::setPhong(s, osg::Vec3f(0.4f, 0.1f, 0.1f), osg::Vec3f(0.3f, 0.3f, 0.3f), 20.0f + 40.0f * float(i));
         lit->addChild(sphere);
     }
     lit->getSettings()->diffuseCarrier = Settings::LIGHTS;
@@ -65,7 +66,7 @@ void sweep(benchmark::State& state)
     if (knob.reference)
         lit->getSettings()->set(knob.name, double(knob.reference), error);
     else
-        lit->getSettings()->occlusionLights = 8192; // the filter has least to do
+        lit->getSettings()->occlusionLights = 8192;  // the filter has least to do
     const Picture reference = renderer.render(lit, 2);
     lit->getSettings()->occlusionLights = osg::ref_ptr<Settings>(new Settings)->occlusionLights;
     lit->getSettings()->set(knob.name, double(state.range(1)), error);
@@ -73,7 +74,7 @@ void sweep(benchmark::State& state)
     for (auto _ : state) {
         for (int i = 0; i < 8; ++i) {
             renderer.render(lit);
-            for (const auto& t : lit->passTimes())
+            for (const auto& t : lit->plan().passes)
                 if (t.pass == knob.pass && t.gpu >= 0.0 && i > 4) least = std::min(least, t.gpu);
         }
         state.SetIterationTime(least * 1e-3);
@@ -82,7 +83,7 @@ void sweep(benchmark::State& state)
     state.SetLabel(knob.name);
 }
 
-} // namespace
+}  // namespace
 
 BENCHMARK(sweep)
     ->ArgsProduct({{0}, {16, 32, 64, 128, 256, 512}})

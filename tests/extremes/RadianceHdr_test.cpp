@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The Radiance reader against pictures encoded here by hand, byte by byte, and against every kind of damage.
-#include <osgEnvLight/RadianceHdr>
+#include "environment/RadianceHdr.h"
 
 #include <array>
 #include <clocale>

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include <osgEnvLight/RadianceHdr>
+#include "environment/RadianceHdr.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

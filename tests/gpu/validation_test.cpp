@@ -3,7 +3,7 @@
 // links in this machine's driver.
 #include <gtest/gtest.h>
 
-#include <osgEnvLight/ShaderLibrary>
+#include "gl/ShaderLibrary.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -43,13 +43,6 @@ double meanOf(const Picture& p)
     return sum / std::max(count, 1);
 }
 
-const osgEnvLight::Plan::Reason& reasonOf(const osgEnvLight::Plan& plan, const std::string& pass)
-{
-    for (const osgEnvLight::Plan::Reason& r : plan.reasons)
-        if (r.pass == pass) return r;
-    throw std::runtime_error("no reason for " + pass);
-}
-
 }  // namespace
 
 // In a white furnace all that is blocked comes back from where it is blocked: with albedo 1 and every surface lit the same, full
@@ -113,14 +106,14 @@ TEST(Bounce, ThePlanSaysWhyNot)
     osg::ref_ptr<LitScene> lit = corner();
     lookIntoCorner(renderer);
     renderer.render(lit);
-    EXPECT_TRUE(lit->plan().bounce);
+    EXPECT_TRUE(lit->plan().runs("bounce"));
     lit->getSettings()->visibility = Settings::VISIBILITY_SCREEN;
     const size_t with = lit->textureBytes();
     renderer.render(lit);
-    EXPECT_FALSE(lit->plan().bounce);
-    EXPECT_EQ("without the atlas nobody knows how much of the map a surface sees", reasonOf(lit->plan(), "bounce").reason);
+    EXPECT_FALSE(lit->plan().runs("bounce"));
+    EXPECT_EQ("without the atlas nobody knows how much of the map a surface sees", lit->plan().reason("bounce"));
     EXPECT_LT(lit->textureBytes(), with);
     lit->getSettings()->bounce = Settings::BOUNCE_OFF;
     renderer.render(lit);
-    EXPECT_EQ("switched off", reasonOf(lit->plan(), "bounce").reason);
+    EXPECT_EQ("switched off", lit->plan().reason("bounce"));
 }

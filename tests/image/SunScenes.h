@@ -2,7 +2,7 @@
 // Scenes under a sun of which a picture shows what is seen.
 #pragma once
 
-#include <osgEnvLight/DominantLight>
+#include "environment/DominantLight.h"
 
 #include <SceneRenderer.h>
 

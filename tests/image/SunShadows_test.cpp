@@ -142,7 +142,7 @@ TEST(SunShadows, AnOpenFloorIsAsBrightWithTheSunCutAsWithout)
     const double whole = meanRadiance(renderer.render(lit));
     lit->getSettings()->suns = Settings::SUNS_AUTO;
     const double split = meanRadiance(renderer.render(lit));
-    EXPECT_TRUE(lit->plan().sunShadows) << lit->plan().explain();
+    EXPECT_TRUE(lit->plan().runs("sunshadow")) << lit->plan().explain();
     EXPECT_NEAR(split / whole, 1.0, 0.005);
 }
 
@@ -227,11 +227,11 @@ TEST(SunShadows, OnlyWhereTheyAreAskedFor)
          {Settings::VISIBILITY_AUTO, Settings::VISIBILITY_SCREEN, Settings::VISIBILITY_ATLAS, Settings::VISIBILITY_BOTH}) {
         lit->getSettings()->visibility = v;
         renderer.render(lit);
-        EXPECT_TRUE(lit->plan().sunShadows) << v;
+        EXPECT_TRUE(lit->plan().runs("sunshadow")) << v;
     }
     lit->getSettings()->visibility = Settings::VISIBILITY_NONE;
     renderer.render(lit);
-    EXPECT_FALSE(lit->plan().sunShadows);
+    EXPECT_FALSE(lit->plan().runs("sunshadow"));
     EXPECT_NE(lit->plan().explain().find("sunmap: off, visibility is none"), std::string::npos) << lit->plan().explain();
     // Without a sun, or with it among the lists' lights, there is neither pass nor texture.
     lit->getSettings()->visibility = Settings::VISIBILITY_AUTO;

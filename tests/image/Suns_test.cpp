@@ -65,7 +65,7 @@ TEST(Suns, ACoarseRoundBodyDoesNotShadeItsOwnTerminator)
         lit->getSettings()->background = Settings::BACKGROUND_OFF;
         lit->addChild(makeSphere(osg::Vec3d(), 1.0, segments));
         const Picture shaded = renderer.render(lit, 3);
-        EXPECT_TRUE(lit->plan().sunShadows);
+        EXPECT_TRUE(lit->plan().runs("sunshadow"));
         lit->getSettings()->occlusion = false;
         const Picture open = renderer.render(lit, 2);
         EXPECT_LT(rootMeanSquare(open, shaded) / ofGeometry(open).mean, most) << segments;

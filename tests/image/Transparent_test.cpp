@@ -100,8 +100,8 @@ TEST(Transparent, AloneInViewTheyStillAskTheMaps)
     const double shaded = ofGeometry(renderer.render(lit, 2)).mean;
     const osgEnvLight::Plan plan = lit->plan();
     EXPECT_EQ(0u, plan.surfaces.deferred);
-    EXPECT_TRUE(plan.atlas && plan.sunMaps) << plan.explain();
-    EXPECT_FALSE(plan.occlusion || plan.diffuse || plan.sunShadows) << plan.explain();
+    EXPECT_TRUE(plan.runs("atlas") && plan.runs("sunmap")) << plan.explain();
+    EXPECT_FALSE(plan.runs("occlusion") || plan.runs("diffuse") || plan.runs("sunshadow")) << plan.explain();
     EXPECT_LT(shaded, 0.3 * open);
     EXPECT_GT(shaded, 0.0);
 }

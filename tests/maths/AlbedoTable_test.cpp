@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <osgEnvLight/AlbedoTable>
+#include "surface/AlbedoTable.h"
 
 #include "Maths.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <osgEnvLight/DiffuseCarrier>
-#include <osgEnvLight/DominantLight>
-#include <osgEnvLight/SphericalHarmonics>
+#include "lights/DiffuseCarrier.h"
+#include "environment/DominantLight.h"
+#include "environment/SphericalHarmonics.h"
 
 #include <algorithm>
 #include <iostream>

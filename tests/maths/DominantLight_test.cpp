@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <osgEnvLight/DominantLight>
+#include "environment/DominantLight.h"
 
 #include <algorithm>
 #include <map>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The exposure that a picture begins with, against skies whose irradiance is known in closed form.
-#include <osgEnvLight/Exposure>
+#include "environment/Exposure.h"
 
 #include <gtest/gtest.h>
 

@@ -2,10 +2,10 @@
 // The extremes of systems.md 4, A and B, as far as they concern maps and light lists; by their numbers there.
 #include <gtest/gtest.h>
 
-#include <osgEnvLight/DiffuseCarrier>
-#include <osgEnvLight/DominantLight>
-#include <osgEnvLight/LightRegions>
-#include <osgEnvLight/SphericalHarmonics>
+#include "lights/DiffuseCarrier.h"
+#include "environment/DominantLight.h"
+#include "lights/LightRegions.h"
+#include "environment/SphericalHarmonics.h"
 
 #include <algorithm>
 

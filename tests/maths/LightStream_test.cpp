@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <osgEnvLight/LightStream>
+#include "lights/LightStream.h"
 
 #include <cstring>
 #include <iostream>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <osgEnvLight/LightTexture>
+#include "lights/LightTexture.h"
 
 #include <iostream>
 
-#include <osgEnvLight/DominantLight>
+#include "environment/DominantLight.h"
 
 #include "LightJudge.h"
 #include "StudyMaps.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Lights drawn from a map without end.
-#include <osgEnvLight/MapSequence>
+#include "lights/MapSequence.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <osgEnvLight/PenroseSampler>
-#include <osgEnvLight/PenroseTiling>
+#include "lights/PenroseSampler.h"
+#include "lights/PenroseTiling.h"
 
 #include <set>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <osgEnvLight/ShaderLibrary>
+#include "gl/ShaderLibrary.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <osgEnvLight/MapTextures>
-#include <osgEnvLight/SphericalHarmonics>
+#include "lights/MapTextures.h"
+#include "environment/SphericalHarmonics.h"
 
 #include "Maps.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <osgEnvLight/FarthestPoints>
-#include <osgEnvLight/StructuredSampler>
+#include "lights/FarthestPoints.h"
+#include "lights/StructuredSampler.h"
 
 #include <numeric>
 

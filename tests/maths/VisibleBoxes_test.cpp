@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a view may show of boxes, against points that were drawn at random within it.
-#include <osgEnvLight/CasterCollector>
-#include <osgEnvLight/VisibleBoxes>
+#include "surface/CasterCollector.h"
+#include "shadow/VisibleBoxes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <osgEnvLight/MapTextures>
+#include "lights/MapTextures.h"
 
 #include "Maths.h"
 #include "Maps.h"

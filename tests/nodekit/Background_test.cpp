@@ -46,7 +46,7 @@ bool isMap(const osg::Vec3d& c)
 
 std::string compositeReason(const LitScene& lit)
 {
-    for (const osgEnvLight::Plan::Reason& r : lit.plan().reasons)
+    for (const osgEnvLight::PassReport& r : lit.plan().passes)
         if (r.pass == "composite") return r.reason;
     return std::string();
 }

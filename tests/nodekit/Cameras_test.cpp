@@ -3,7 +3,7 @@
 #include <SceneRenderer.h>
 #include <WindowRenderer.h>
 
-#include <osgEnvLight/GBuffer>
+#include "gl/TargetTexture.h"
 #include <osgEnvLight/Material>
 
 #include <osg/Camera>

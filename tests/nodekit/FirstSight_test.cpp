@@ -2,7 +2,7 @@
 // What a user sees first: colours as they were typed, at an exposure that follows the map.
 #include <SceneRenderer.h>
 
-#include <osgEnvLight/Exposure>
+#include "environment/Exposure.h"
 #include <osgEnvLight/Material>
 
 #include <osg/Material>

@@ -83,7 +83,7 @@ TEST_F(Surfaces, OsgMaterialDiffuseIsLambert)
     EXPECT_NEAR(c[0], decoded(0.2), small);
     EXPECT_NEAR(c[1], decoded(0.5), small);
     EXPECT_NEAR(c[2], decoded(0.8), small);
-    EXPECT_FALSE(lit->plan().specular);
+    EXPECT_FALSE(lit->plan().runs("specular"));
     lit->getSettings()->materialColors = Settings::COLORS_LINEAR;
     EXPECT_NEAR(centre(renderer, lit)[1], 0.5, small);
 }
@@ -94,7 +94,7 @@ TEST_F(Surfaces, OsgMaterialNeverReflectsMoreThanItReceives)
     lit->addChild(screen());
     setMaterial(*lit->getChild(0)->getOrCreateStateSet(), osg::Vec4(0.8f, 0.8f, 0.8f, 1), osg::Vec4(1, 1, 1, 1));
     const osg::Vec3d c = centre(renderer, lit);
-    EXPECT_TRUE(lit->plan().specular);
+    EXPECT_TRUE(lit->plan().runs("specular"));
     EXPECT_LE(c[0], 1.0 + small);
     EXPECT_GT(c[0], 0.9);  // at normal incidence the lobe of n = 20 loses a few per cent below the horizon at most
 }
@@ -143,7 +143,7 @@ TEST_F(Surfaces, UnlitGeometryEmitsItsColour)
     const osg::Vec3d c = centre(renderer, lit);
     EXPECT_NEAR(c[0], linear128, small);
     EXPECT_NEAR(c[1], 1.0, small);
-    EXPECT_FALSE(lit->plan().diffuse);  // a black map: the plan says so
+    EXPECT_FALSE(lit->plan().runs("diffuse"));  // a black map: the plan says so
 }
 
 TEST_F(Surfaces, BackFacesMissingNormalsAndMirroredTransformsAreLitFromTheirSeenSide)

@@ -3,7 +3,7 @@
 #include <SceneRenderer.h>
 
 #include <osgEnvLight/Material>
-#include <osgEnvLight/SurfaceFacts>
+#include "surface/SurfaceFacts.h"
 
 #include <osg/BlendFunc>
 #include <osg/Geometry>

@@ -7,7 +7,7 @@
 
 #include <stdexcept>
 
-#include <osgEnvLight/ShaderLibrary>
+#include "gl/ShaderLibrary.h"
 
 namespace
 {

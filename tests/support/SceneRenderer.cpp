@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "SceneRenderer.h"
 
+#include "gl/TargetTexture.h"
+
 #include <osg/Geometry>
 
 #include <algorithm>

@@ -1,0 +1,26 @@
+/* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
+#pragma once
+
+#include "frame/Pass.h"
+
+#include <functional>
+
+namespace osgEnvLight
+{
+
+/** A stage that calls back, once, when the whole view has been culled: then the lights of all LightSources are known, also of
+ * those behind it in the graph. */
+class GBufferStage : public PassStage
+{
+  public:
+    std::function<void()> afterCull;
+
+    void sort() override
+    {
+        PassStage::sort();
+        if (afterCull) afterCull();
+        afterCull = nullptr;
+    }
+};
+
+}  // namespace osgEnvLight

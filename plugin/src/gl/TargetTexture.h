@@ -1,0 +1,14 @@
+/* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
+#pragma once
+
+#include <osgEnvLight/Export>
+
+#include <osg/Texture2D>
+
+namespace osgEnvLight
+{
+
+/** A texture of exact texels, to draw into or to look up: NEAREST, clamped to its edge, not resized to powers of two. */
+OSGENVLIGHT_EXPORT osg::ref_ptr<osg::Texture2D> targetTexture(int width, int height, GLint internalFormat);
+
+}  // namespace osgEnvLight

@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: MIT
+#include "node/DeferredTechnique.h"
+
+#include <osgEnvLight/LitScene>
+
+#include <osg/FrameStamp>
+#include <osg/Notify>
+#include <osgUtil/CullVisitor>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+// A shadow map's pass and the like: the camera draws into textures, none of them colour.
+bool isDepthOnly(const osg::Camera* camera)
+{
+    if (!camera || camera->getBufferAttachmentMap().empty()) return false;
+    for (const auto& [component, attachment] : camera->getBufferAttachmentMap())
+        if (component >= osg::Camera::COLOR_BUFFER) return false;
+    return true;
+}
+
+unsigned contextOf(osgUtil::CullVisitor& cv)
+{
+    return cv.getState() ? cv.getState()->getContextID() : 0;
+}
+
+}  // namespace
+
+DeferredTechnique::DeferredTechnique()
+    : _facts(new SurfaceFacts),
+      _sorter(new SurfaceSorter(_facts.get())),
+      _failure(new Failure),
+      _settings(new Settings),
+      _retired(new RetiredObjects)
+{
+    _library = new ShaderLibrary(_failure.get());
+}
+
+bool DeferredTechnique::cull(LitScene& node, osgUtil::CullVisitor& cv)
+try {
+    osgUtil::RenderBin* hostBin = cv.getCurrentRenderBin();
+    osgUtil::RenderStage* host = hostBin ? hostBin->getStage() : nullptr;
+    if (!host || _failure->happened(contextOf(cv))) return false;
+    const osg::Viewport* viewport = host->getViewport();
+    if (!viewport || !(viewport->width() >= 1.0) || !(viewport->height() >= 1.0)) return false;
+    if (isDepthOnly(host->getCamera()) || dynamic_cast<const StageCamera*>(host->getCamera())) return false;
+
+    std::unique_lock<std::mutex> lock(_mutex);
+    const osg::ref_ptr<const Settings> settings = currentSettings(node);
+    const osg::ref_ptr<MapTextures> textures = currentTextures(node, *settings, cv);
+    if (!textures) return false;
+    const osg::ref_ptr<ViewData> held = &view(cv, *host);  // its context may end
+    ViewData& vd = *held;
+    vd.fit(int(viewport->width()), int(viewport->height()), textures.get());
+    GBuffer& gbuffer = node.getGBuffer() ? *node.getGBuffer() : vd.gbuffer();
+    if (gbuffer.width != vd.width() || gbuffer.height != vd.height()) {
+        reportOnce("the G-buffer is " + std::to_string(gbuffer.width) + "x" + std::to_string(gbuffer.height) +
+                   ", expected the view's " + std::to_string(vd.width()) + "x" + std::to_string(vd.height()) +
+                   "; the scene is shown unlit");
+        return false;
+    }
+    const double degrees = node.getEnvironmentMap()->getRotation();
+    const double radianceScale = textures->map().mean * node.getEnvironmentMap()->getIntensity();
+    Cull c{vd,
+           vd.frame(&cv),
+           *host,
+           *settings,
+           gbuffer,
+           osg::Matrixd::rotate(osg::DegreesToRadians(-degrees), 0, 0, 1),
+           radianceScale,
+           node.isTimed(),
+           !node.getGBuffer(),
+           textures->exposure()};
+    const double radius = node.getBound().valid() ? double(node.getBound().radius()) : 0.0;
+    const osg::Matrixd worldFromEye =
+        host->getInitialViewMatrix() ? osg::Matrixd::inverse(*host->getInitialViewMatrix()) : osg::Matrixd();
+    c.worldFromEye = worldFromEye;
+    if (c.ownGBuffer) c.depth = DepthConvention::of(*cv.getCurrentStateGraph());
+    c.frame.setUniforms(*settings, radius, radianceScale, *textures, worldFromEye * c.mapFromWorld, c.baseStops());
+    const bool sunny = FramePlan::wantsSunShadows(*settings) && radianceScale > 0.0 && !textures->suns().empty();
+    lock.unlock();
+
+    std::vector<ForwardGraph> forward;
+    fillGBuffer(c, node, cv, forward);
+    const std::string behind = chooseBackground(c, forward);
+    findLights(c, forward);
+
+    const bool shows = vd.plan.surfaces.deferred + vd.plan.surfaces.litForward > 0;
+    const bool needed = settings->diffuse && radianceScale > 0.0 && shows;
+    if ((needed && FramePlan::wantsAtlas(*settings)) || (sunny && shows))
+        c.casters = CasterCollector(cv, worldFromEye, vd.casterStates, _facts.get()).collect(node);
+
+    c.away = !shows && radius > 0.0;
+    if (!c.away) CasterCollector::forgetUnused(vd.casterStates, c.casters);
+
+    lock.lock();
+    const DiffuseCarrier carrier = needed ? textures->carrier() : DiffuseCarrier();
+    vd.plan = FramePlan::make(*settings, vd.plan.surfaces, radianceScale <= 0.0, radius, carrier, textures->sunShare(),
+                              c.casters.size(), c.ownGBuffer);
+    vd.plan.decideSceneLights(*settings, c.lights.size(), c.ownGBuffer);
+    vd.plan.passes.back().reason += ", " + behind;  // of the composite
+    addAtlas(c, cv);
+    advanceStillView(c, cv);
+    addSunMaps(c, cv);
+    addPasses(c, cv);
+    addComposite(c, cv);
+    if (vd.plan.surfaces.litForward > 0) setForwardState(c);
+    for (const ForwardGraph& f : forward) f.bin->addStateGraph(f.graph);
+    vd.forgetUnused(c.frame);
+    vd.unsettled = !hasSettled(c);
+    vd.seenUpdates = _updates;
+    _lastView = &vd;
+    return true;
+} catch (const std::runtime_error& error) {
+    _failure->report(contextOf(cv), error.what());
+    return false;
+}
+
+osg::ref_ptr<const Settings> DeferredTechnique::currentSettings(const LitScene& node)
+{
+    std::string error;
+    const Settings& wanted = *node.getSettings();
+    if (!wanted.valid(error)) {
+        reportOnce(error + "; the last valid settings stay in force");
+        return _settings;
+    }
+    for (const Settings::Property& p : Settings::table())
+        if (p.get(wanted) != p.get(*_settings)) {
+            _settings = new Settings(wanted);  // another traversal may still read the former ones
+            break;
+        }
+    return _settings;
+}
+
+osg::ref_ptr<MapTextures> DeferredTechnique::currentTextures(const LitScene& node, const Settings& settings,
+                                                             osgUtil::CullVisitor& cv)
+{
+    const EnvironmentMap& map = *node.getEnvironmentMap();
+    if (!std::isfinite(map.getIntensity()) || map.getIntensity() < 0.0 || !std::isfinite(map.getRotation())) {
+        reportOnce(
+            "intensity and rotation of the environment map must be finite, intensity not negative; the scene is shown unlit");
+        return nullptr;
+    }
+    const unsigned frame = cv.getFrameStamp() ? cv.getFrameStamp()->getFrameNumber() : _checkedFrame + 1;
+    if (!_started || frame != _checkedFrame) {
+        _checkedFrame = frame;
+        regenerate(map.state(), settings, map.getLights());
+    }
+    if (_textures) _textures->use(MapOptions(settings, map.getLights()));
+    return _textures;
+}
+
+void DeferredTechnique::regenerate(const MapState& state, const Settings& settings,
+                                   const std::shared_ptr<const LightList>& lights)
+{
+    const unsigned framesUntilStill = 8;
+    MapRegenerator::Result result;
+    if (state != _state || !_started) {
+        // Nothing to go on from before the first frame, nor from a map that could not serve: no light is older than these.
+        const bool sameImage = _started && state.image == _state.image;
+        const bool now = !_textures || settings.regeneration == Settings::IMMEDIATE;
+        _state = state;
+        _started = true;
+        _stillFrames = 0;
+        MapTextures::Continuation former = _textures ? _textures->continuation(sameImage) : MapTextures::Continuation();
+        former.options = MapOptions(settings, lights);
+        if (now) {
+            _regenerator.discard();
+            accept(MapRegenerator::make(state, former));
+        } else {
+            _regenerator.post(state, former);
+        }
+    } else if (++_stillFrames >= framesUntilStill && _textures && !_textures->settled() && !_regenerator.busy()) {
+        _regenerator.postSettle(*_textures);
+    }
+    if (_regenerator.take(result)) accept(result);
+}
+
+void DeferredTechnique::accept(const MapRegenerator::Result& result)
+{
+    _textures = result.textures;
+    if (!result.textures) reportOnce(result.error + "; the scene is shown unlit");
+    if (result.textures && !result.textures->map().repairs.empty() && _repaired != _state.image) {
+        _repaired = _state.image;  // a video says it once
+        OSG_WARN << "osgEnvLight: " << result.textures->map().repairs << std::endl;
+    }
+}
+
+ViewData& DeferredTechnique::view(osgUtil::CullVisitor& cv, osgUtil::RenderStage& host)
+{
+    for (auto it = _views.begin(); it != _views.end();) {
+        const ViewData& v = *it->second;
+        const bool dead = !v.identifier.valid() || (v.hasCamera && !v.camera.valid()) || (v.hasContext && !v.context.valid());
+        it = dead ? _views.erase(it) : std::next(it);
+    }
+    osg::Referenced* identifier = cv.getIdentifier() ? static_cast<osg::Referenced*>(cv.getIdentifier()) : &cv;
+    const unsigned frame = cv.getFrameStamp() ? cv.getFrameStamp()->getFrameNumber() : 0;
+    // Another viewer counts its own frames.
+    for (auto it = _visits.begin(); it != _visits.end();) it = it->second.cullVisitor.valid() ? std::next(it) : _visits.erase(it);
+    Visit& visit = _visits[{&cv, host.getCamera()}];
+    if (visit.frame != frame) visit = {&cv, frame, 0};
+    osg::ref_ptr<ViewData>& vd = _views[{identifier, host.getCamera(), cv.getState(), visit.count++}];
+    if (!vd) {
+        vd = new ViewData(_failure.get(), _retired.get());
+        vd->identifier = identifier;
+        vd->camera = host.getCamera();
+        vd->hasCamera = host.getCamera() != nullptr;
+        vd->context = cv.getState();
+        vd->hasContext = cv.getState() != nullptr;
+        vd->contextID = contextOf(cv);
+    }
+    return *vd;
+}
+
+void DeferredTechnique::reportOnce(const std::string& message, osg::NotifySeverity severity)
+{
+    if (_reported.insert(message).second) OSG_NOTIFY(severity) << "osgEnvLight: " << message << std::endl;
+}
+
+void DeferredTechnique::reloadShaders()
+{
+    std::lock_guard<std::mutex> lock(_mutex);
+    _library->reload();
+    _failure->clear();
+    for (auto& [key, view] : _views) view->forgetPrograms();
+}
+
+bool DeferredTechnique::hasSettled(const Cull& c) const
+{
+    const bool converges = c.still && c.still->frames() < unsigned(c.settings.accumulateFrames);
+    return !converges && _waitingMaps == 0 && !_regenerator.busy() && c.view.textures().settled();
+}
+
+void DeferredTechnique::countUpdate()
+{
+    std::lock_guard<std::mutex> lock(_mutex);
+    ++_updates;
+}
+
+bool DeferredTechnique::unsettled() const
+{
+    const unsigned patience = 8;
+    std::lock_guard<std::mutex> lock(_mutex);
+    return std::any_of(_views.begin(), _views.end(), [&](const auto& view) {
+        return view.second->unsettled && _updates - view.second->seenUpdates <= patience;
+    });
+}
+
+unsigned DeferredTechnique::numViews() const
+{
+    std::lock_guard<std::mutex> lock(_mutex);
+    return unsigned(_views.size());
+}
+
+Plan DeferredTechnique::plan() const
+{
+    std::lock_guard<std::mutex> lock(_mutex);
+    osg::ref_ptr<ViewData> view;
+    if (!_lastView.lock(view)) return Plan();
+    Plan plan = view->plan.report();
+    for (PassReport& report : plan.passes) {
+        const auto timer = view->timers().find(report.pass);
+        if (!report.runs || timer == view->timers().end()) continue;
+        report.gpu = timer->second->gpu();
+        report.cpu = timer->second->cpu();
+    }
+    return plan;
+}
+
+Average DeferredTechnique::average() const
+{
+    std::lock_guard<std::mutex> lock(_mutex);
+    osg::ref_ptr<ViewData> view;
+    if (!_lastView.lock(view) || !view->still()) return Average();
+    const Accumulation& still = *view->still();
+    return {still.frames(), still.frames() * Accumulation::lightsPerFrame, still.standardError()};
+}
+
+size_t DeferredTechnique::bytes() const
+{
+    std::lock_guard<std::mutex> lock(_mutex);
+    size_t sum = (_textures ? _textures->bytes() : 0) + (_albedoTable ? _albedoTable->getImage()->getTotalSizeInBytes() : 0);
+    for (const auto& [key, view] : _views) sum += view->bytes();
+    return sum + _retired->bytes();
+}
+
+void DeferredTechnique::resizeGLObjectBuffers(unsigned maximum)
+{
+    std::lock_guard<std::mutex> lock(_mutex);
+    _library->resizeGLObjectBuffers(maximum);
+    if (_textures) _textures->resizeGLObjectBuffers(maximum);
+    if (_albedoTable) _albedoTable->resizeGLObjectBuffers(maximum);
+    for (auto& [key, view] : _views) view->resizeGLObjectBuffers(maximum);
+}
+
+// A view that is not dropped is drawn in another context of the same number, which shares what is not a frame buffer.
+template <class Condition>
+void DeferredTechnique::release(osg::State* state, Condition drops) const
+{
+    std::lock_guard<std::mutex> lock(_mutex);
+    _library->releaseGLObjects(state);
+    if (_textures) _textures->releaseGLObjects(state);
+    if (_albedoTable) _albedoTable->releaseGLObjects(state);
+    _retired->releaseGLObjects(state);
+    for (auto it = _views.begin(); it != _views.end();) {
+        const bool dropped = drops(*it->second);
+        if (dropped) it->second->releaseGLObjects(state);
+        it = dropped ? _views.erase(it) : std::next(it);
+    }
+    if (state)
+        _failure->clear(state->getContextID());
+    else
+        _failure->clear();
+}
+
+void DeferredTechnique::releaseGLObjects(osg::State* state) const
+{
+    release(state, [&](const ViewData& view) { return !state || view.context == state; });
+}
+
+void DeferredTechnique::contextLost(unsigned contextID)
+{
+    const osg::ref_ptr<osg::State> state = new osg::State;
+    state->setContextID(contextID);
+    release(state.get(), [&](const ViewData& view) { return view.contextID == contextID; });
+}
+
+}  // namespace osgEnvLight

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+#include <osgEnvLight/SceneDescription>
+
+#include <osgEnvLight/Material>
+#include "base/ReadMessage.h"
+
+#include <osgDB/FileNameUtils>
+#include <osgDB/FileUtils>
+#include <osgDB/fstream>
+
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "base/JsonValue.h"
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+using nlohmann::json;
+using Value = JsonValue;
+
+const double huge = 1e30;
+
+osg::Vec3f color(const Value& v)
+{
+    return osg::Vec3f(v.vector(0, 1, "three linear colour values in 0..1"));
+}
+
+HomeView readView(const Value& v)
+{
+    v.object({"eye", "target", "up", "fovy"}, "an object with eye and target");
+    for (const char* key : {"eye", "target"})
+        if (!v.has(key)) v.fail("an object with eye and target");
+    HomeView c;
+    c.eye = v["eye"].vector(-huge, huge, "three numbers");
+    c.target = v["target"].vector(-huge, huge, "three numbers");
+    if (v.has("up")) c.up = v["up"].vector(-huge, huge, "three numbers");
+    if (v.has("fovy")) c.fovy = v["fovy"].number(0.01, 179.0, "an angle in 0.01..179 degrees");
+    const osg::Vec3d forward = c.target - c.eye;
+    if (!((forward ^ c.up).length() > 1e-9 * forward.length() * c.up.length()))
+        v.fail("eye and target apart, and up not along the view");
+    return c;
+}
+
+MaterialDescription readMaterial(const Value& v, const std::string& name)
+{
+    MaterialDescription m;
+    m.name = name;
+    const std::string brdf = v.get().is_object() && v.has("brdf") ? v["brdf"].string() : std::string();
+    if (brdf == "lambert") {
+        v.object({"brdf", "diffuse"}, "a material");
+        m.brdf = Material::LAMBERT;
+    } else if (brdf == "phong") {
+        v.object({"brdf", "diffuse", "specular", "exponent"}, "a material");
+        m.brdf = Material::PHONG;
+    } else if (brdf == "cook-torrance") {
+        v.object({"brdf", "baseColor", "metalness", "roughness"}, "a material");
+        m.brdf = Material::COOK_TORRANCE;
+    } else {
+        v.fail("an object whose brdf is \"lambert\", \"phong\" or \"cook-torrance\"");
+    }
+    if (v.has("diffuse")) m.diffuse = color(v["diffuse"]);
+    if (v.has("specular")) m.specular = color(v["specular"]);
+    if (v.has("exponent")) m.exponent = float(v["exponent"].number(0, 1e6, "an exponent in 0..1000000"));
+    if (v.has("baseColor")) m.baseColor = color(v["baseColor"]);
+    if (v.has("metalness")) m.metalness = float(v["metalness"].number(0, 1, "a number in 0..1"));
+    if (v.has("roughness")) m.roughness = float(v["roughness"].number(0, 1, "a number in 0..1"));
+    for (int i = 0; i < 3; ++i)
+        if (m.brdf == Material::PHONG && m.diffuse[i] + m.specular[i] > 1.0f + 1e-6f) v.fail("diffuse + specular <= 1");
+    return m;
+}
+
+void readEnvironment(const Value& v, SceneDescription& scene)
+{
+    v.object({"map", "layout", "rotation", "intensity", "strict", "lights"}, "an object with map");
+    if (v.has("map")) scene.map = v["map"].string();
+    if (v.has("layout") && !mapLayoutFromName(v["layout"].string(), scene.layout))
+        v["layout"].fail("one of " + mapLayoutChoices());
+    if (v.has("rotation")) scene.rotation = v["rotation"].number(-1e6, 1e6, "an angle in degrees");
+    if (v.has("intensity")) scene.intensity = v["intensity"].number(0, 1e12, "a factor in 0..1e12");
+    if (v.has("strict")) scene.strict = v["strict"].boolean();
+    if (v.has("lights")) scene.lights = v["lights"].string();
+}
+
+std::string settingText(const Value& v)
+{
+    if (v.get().is_boolean()) return v.boolean() ? "on" : "off";
+    if (v.get().is_string()) return v.string();
+    if (v.get().is_number()) return v.get().dump();  // JSON's numbers do not depend on the locale
+    v.fail("a number, a string or true or false");
+}
+
+void readSettings(const Value& v, const std::string& file, SceneDescription& scene)
+{
+    if (!v.get().is_object()) v.fail("an object");
+    osg::ref_ptr<Settings> trial = new Settings;
+    const auto read = [&](const std::string& key) {
+        const std::string text = settingText(v[key]);
+        std::string error;
+        if (!trial->set(key, text, error)) throw std::runtime_error(file + ": key 'settings." + key + "': " + error);
+        scene.settings.emplace_back(key, text);
+    };
+    if (v.has("preset")) read("preset");  // first: the others are on top of it
+    for (const auto& [key, value] : v.get().items())
+        if (key != "preset") read(key);
+}
+
+void readModels(const Value& v, SceneDescription& scene)
+{
+    if (v.has("model")) scene.models.push_back(v["model"].string());
+    if (v.has("models")) {
+        const Value list = v["models"];
+        if (!list.get().is_array()) list.fail("a list of file names");
+        for (const json& item : list.get()) {
+            if (!item.is_string()) list.fail("a list of file names");
+            scene.models.push_back(item.get<std::string>());
+        }
+    }
+    if (scene.models.empty()) v.fail("\"model\": \"file\" or \"models\": [\"file\", ...]");
+}
+
+// Puts materials on the state sets whose osg::Material, or on the nodes whose own name, they are for.
+class MaterialVisitor : public osg::NodeVisitor
+{
+  public:
+    explicit MaterialVisitor(const std::vector<MaterialDescription>& materials)
+        : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN), _materials(materials), _found(materials.size(), false)
+    {
+        setNodeMaskOverride(~0u);
+    }
+
+    void apply(osg::Node& node) override
+    {
+        for (size_t i = 0; i < _materials.size(); ++i)
+            if (!node.getName().empty() && node.getName() == _materials[i].name) set(*node.getOrCreateStateSet(), i);
+        if (osg::StateSet* s = node.getStateSet()) visit(*s);
+        traverse(node);
+    }
+
+    // The first name that nothing bears, or "".
+    std::string missing() const
+    {
+        for (size_t i = 0; i < _materials.size(); ++i)
+            if (!_found[i]) return _materials[i].name;
+        return std::string();
+    }
+
+    std::set<std::string> names;
+
+  private:
+    void visit(osg::StateSet& s)
+    {
+        const osg::StateAttribute* m = s.getAttribute(osg::StateAttribute::MATERIAL);
+        if (!m || m->getName().empty()) return;
+        names.insert(m->getName());
+        for (size_t i = 0; i < _materials.size(); ++i)
+            if (m->getName() == _materials[i].name) set(s, i);
+    }
+
+    void set(osg::StateSet& s, size_t i)
+    {
+        _found[i] = true;
+        const MaterialDescription& m = _materials[i];
+        if (m.brdf == Material::LAMBERT) Material::setLambert(s, m.diffuse);
+        if (m.brdf == Material::PHONG) Material::setPhong(s, m.diffuse, m.specular, m.exponent);
+        if (m.brdf == Material::COOK_TORRANCE) Material::setCookTorrance(s, m.baseColor, m.metalness, m.roughness);
+    }
+
+    const std::vector<MaterialDescription>& _materials;
+    std::vector<bool> _found;
+};
+
+osg::ref_ptr<osg::Node> loadModel(const std::string& name, const osgDB::Options* options, const std::string& file)
+{
+    osgDB::ReaderWriter::ReadResult result = osgDB::Registry::instance()->readNode(name, options);
+    if (result.validNode()) return result.getNode();
+    const bool missing = osgDB::findDataFile(name, options).empty();
+    throw std::runtime_error(file + ": key 'model': '" + name + "': " + (missing ? "no such file" : readMessage(result, name)));
+}
+
+void checkMaterials(const MaterialVisitor& visitor, const std::string& file)
+{
+    const std::string missing = visitor.missing();
+    if (missing.empty()) return;
+    std::string list;
+    for (const std::string& n : visitor.names) list += " '" + n + "'";
+    throw std::runtime_error(file + ": key 'materials." + missing +
+                             "': no material or node of the models has that name; materials are" +
+                             (list.empty() ? std::string(" none") : list));
+}
+
+// A camera object anywhere: the file itself, or its key "camera".
+HomeView cameraOf(const json& j, const std::string& name)
+{
+    const Value v(j, name, "");
+    return readView(j.is_object() && v.has("camera") ? v["camera"] : v);
+}
+
+}  // namespace
+
+bool readCamera(std::istream& in, const std::string& name, HomeView& result, std::string& error)
+try {
+    result = cameraOf(parseJson(in, name), name);
+    return true;
+} catch (const std::exception& e) {
+    error = e.what();
+    return false;
+}
+
+bool SceneDescription::read(std::istream& in, const std::string& name, std::string& error)
+try {
+    SceneDescription scene;
+    scene.fileName = name;
+    const json j = parseJson(in, name);
+    const Value v(j, name, "");
+    v.object({"model", "models", "environment", "camera", "materials", "settings", "lights"}, "an object");
+    readModels(v, scene);
+    if (v.has("environment")) readEnvironment(v["environment"], scene);
+    if (v.has("camera")) scene.camera = readView(v["camera"]);
+    if (v.has("materials")) {
+        const Value table = v["materials"];
+        if (!table.get().is_object()) table.fail("an object of materials by name");
+        for (const auto& [key, value] : table.get().items()) scene.materials.push_back(readMaterial(table[key], key));
+    }
+    if (v.has("settings")) readSettings(v["settings"], name, scene);
+    if (v.has("lights") && (!j["lights"].is_array() || !j["lights"].empty()))
+        v["lights"].fail("an empty list (area lights are not supported)");
+    *this = scene;
+    return true;
+} catch (const std::exception& e) {
+    error = e.what();
+    return false;
+}
+
+bool SceneDescription::readFile(const std::string& name, const osgDB::Options* options, std::string& error)
+{
+    const std::string path = osgDB::findDataFile(name, options);
+    if (path.empty() || osgDB::fileType(path) != osgDB::REGULAR_FILE) {
+        error = name + ": " + (path.empty() ? "no such file" : "not a file");
+        return false;
+    }
+    osgDB::ifstream in(path.c_str(), std::ios::binary);
+    return read(in, path, error);
+}
+
+osg::ref_ptr<LitScene> SceneDescription::build(const osgDB::Options* options, std::string& error) const
+try {
+    osg::ref_ptr<osgDB::Options> local = options ? options->cloneOptions() : new osgDB::Options;
+    local->getDatabasePathList().push_front(osgDB::getFilePath(osgDB::getRealPath(fileName)));
+    osg::ref_ptr<LitScene> lit = new LitScene;
+    for (const std::string& m : models) lit->addChild(loadModel(m, local.get(), fileName));
+    MaterialVisitor visitor(materials);
+    lit->accept(visitor);
+    checkMaterials(visitor, fileName);
+    EnvironmentMap& environment = *lit->getEnvironmentMap();
+    environment.setLayout(layout);
+    environment.setStrict(strict);
+    environment.setRotation(rotation);
+    environment.setIntensity(intensity);
+    if (!environment.load(map, local.get(), error)) throw std::runtime_error(fileName + ": key 'environment.map': " + error);
+    if (!lights.empty() && !environment.loadLights(lights, local.get(), error))
+        throw std::runtime_error(fileName + ": key 'environment.lights': " + error);
+    for (const auto& [name, value] : settings)
+        if (!lit->getSettings()->set(name, value, error)) throw std::runtime_error(fileName + ": " + error);
+    if (camera) lit->setHomeView(*camera);
+    return lit;
+} catch (const std::exception& e) {
+    error = e.what();
+    return nullptr;
+}
+
+}  // namespace osgEnvLight

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "shadow/AtlasRefresh.h"
+
+#include "gl/BindTargets.h"
+#include "gl/FullScreenTriangle.h"
+
+#include <osg/GLExtensions>
+#include <osg/Program>
+
+#include <algorithm>
+#include <cmath>
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+GLint locationOf(osg::State& state, const char* name)
+{
+    const osg::Program::PerContextProgram* program = state.getLastAppliedProgramObject();
+    return program ? program->getUniformLocation(name) : -1;
+}
+
+void setUniform(osg::State& state, const char* name, int x, int y)
+{
+    const GLint location = locationOf(state, name);
+    if (location >= 0) state.get<osg::GLExtensions>()->glUniform2i(location, x, y);
+}
+
+void setUniform(osg::State& state, const char* name, float x)
+{
+    const GLint location = locationOf(state, name);
+    if (location >= 0) state.get<osg::GLExtensions>()->glUniform1f(location, x);
+}
+
+}  // namespace
+
+AtlasRefresh::AtlasRefresh(const std::string& name, GpuTimer* timer, osg::Vec3Array* vertices)
+    : _timer(timer), _triangle(makeFullScreenTriangle(vertices))
+{
+    setName(name);
+    setUseDisplayList(false);
+    setSupportsDisplayList(false);
+    setCullingActive(false);
+}
+
+void AtlasRefresh::prepare(const ShadowTargets& targets, const std::vector<ShadowRefresh>& refreshes,
+                           std::vector<Caster>&& casters, const States& states, bool timed)
+{
+    _targets = targets;
+    _states = states;
+    _timed = timed;
+    _maps.clear();
+    for (const ShadowRefresh& r : refreshes) _maps.push_back({r.map, new osg::RefMatrix(r.projection), r.texel});
+    std::stable_sort(casters.begin(), casters.end(), [](const Caster& a, const Caster& b) { return a.state < b.state; });
+    _casters.clear();
+    const osg::Matrixd toOrigin = osg::Matrixd::translate(-targets.origin);
+    bool dynamic = false;
+    for (const Caster& caster : casters) {
+        osg::BoundingBoxd bound = boundOf(caster);
+        bound._min -= targets.origin;
+        bound._max -= targets.origin;
+        _casters.push_back({caster.geometry, new osg::RefMatrix(caster.worldFromModel * toOrigin), caster.state, bound});
+        dynamic = dynamic || caster.geometry->getDataVariance() == osg::Object::DYNAMIC;
+    }
+    // The draw of what changes must be over before the next update: OSG counts this drawable instead of the casters.
+    setDataVariance(dynamic ? osg::Object::DYNAMIC : osg::Object::STATIC);
+}
+
+// What lies above the map's heights casts shadows into it, what lies below does not.
+bool AtlasRefresh::Map::shows(const osg::BoundingBoxd& bound) const
+{
+    const osg::Matrixd& m = *projection;
+    const osg::Vec3d center = bound.center() * m, half = (bound._max - bound._min) * 0.5;
+    double lowest[3], highest[3];
+    for (int column = 0; column < 3; ++column) {
+        double reach = 1e-3;
+        for (int row = 0; row < 3; ++row) reach += std::abs(half[row] * m(row, column));
+        lowest[column] = center[column] - reach;
+        highest[column] = center[column] + reach;
+    }
+    return lowest[0] <= 1.0 && highest[0] >= -1.0 && lowest[1] <= 1.0 && highest[1] >= -1.0 && lowest[2] <= 1.0;
+}
+
+void AtlasRefresh::drawImplementation(osg::RenderInfo& renderInfo) const
+{
+    osg::State& state = *renderInfo.getState();
+    if (_timed) _timer->begin(state);
+    for (size_t begin = 0; begin < _maps.size(); begin += _targets.batch) {
+        const size_t end = std::min<size_t>(begin + _targets.batch, _maps.size());
+        drawCasters(renderInfo, *_targets.first, *_states.first, begin, end);
+        drawCasters(renderInfo, *_targets.second, *_states.second, begin, end);
+        storeMidpoints(renderInfo, begin, end);
+    }
+    if (_timed) _timer->end(state);
+    state.haveAppliedAttribute(osg::StateAttribute::VIEWPORT);
+    for (unsigned unit = 0; unit < _states.midpoints->getNumTextureAttributeLists(); ++unit)
+        state.haveAppliedTextureAttribute(unit, osg::StateAttribute::TEXTURE);
+}
+
+void AtlasRefresh::drawCasters(osg::RenderInfo& renderInfo, osg::FrameBufferObject& target, const osg::StateSet& stateSet,
+                               size_t begin, size_t end) const
+{
+    osg::State& state = *renderInfo.getState();
+    bindFrameBuffer(state, target);
+    state.pushStateSet(&stateSet);
+    state.apply();
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    for (size_t i = 0; i < _casters.size();) {
+        size_t next = i + 1;
+        while (next < _casters.size() && _casters[next].state == _casters[i].state) ++next;
+        if (_casters[i].state) state.pushStateSet(_casters[i].state.get());
+        state.apply();
+        drawRun(renderInfo, i, next, begin, end);
+        if (_casters[i].state) state.popStateSet();
+        i = next;
+    }
+    state.popStateSet();
+}
+
+void AtlasRefresh::drawRun(osg::RenderInfo& renderInfo, size_t caster, size_t casterEnd, size_t begin, size_t end) const
+{
+    osg::State& state = *renderInfo.getState();
+    if (!state.getLastAppliedProgramObject()) return;  // it has reported why
+    const GLsizei size = GLsizei(_targets.size);
+    for (size_t k = begin; k < end; ++k) {
+        glViewport(GLint(k - begin) * size, 0, size, size);
+        setUniform(state, "atlasMapIndex", int(_maps[k].index), 0);
+        state.applyProjectionMatrix(_maps[k].projection.get());
+        for (size_t i = caster; i < casterEnd; ++i) {
+            if (!_maps[k].shows(_casters[i].bound)) continue;
+            state.applyModelViewMatrix(_casters[i].modelView.get());
+            if (state.getUseModelViewAndProjectionUniforms()) state.applyModelViewAndProjectionUniformsIfRequired();
+            _casters[i].geometry->draw(renderInfo);
+        }
+    }
+}
+
+void AtlasRefresh::storeMidpoints(osg::RenderInfo& renderInfo, size_t begin, size_t end) const
+{
+    osg::State& state = *renderInfo.getState();
+    bindFrameBuffer(state, *_targets.maps);
+    state.pushStateSet(_states.midpoints.get());
+    state.apply();
+    const int size = int(_targets.size);
+    for (size_t k = begin; state.getLastAppliedProgramObject() && k < end; ++k) {
+        const int x = int(_maps[k].index % _targets.columns) * size;
+        const int y = int(_maps[k].index / _targets.columns) * size;
+        glViewport(x, y, size, size);
+        setUniform(state, "batchFromAtlas", int(k - begin) * size - x, -y);
+        setUniform(state, "mapTexel", _maps[k].texel);
+        _triangle->draw(renderInfo);
+    }
+    state.popStateSet();
+}
+
+void AtlasRefresh::resizeGLObjectBuffers(unsigned maximum)
+{
+    osg::Drawable::resizeGLObjectBuffers(maximum);
+    _triangle->resizeGLObjectBuffers(maximum);
+}
+
+void AtlasRefresh::releaseGLObjects(osg::State* state) const
+{
+    osg::Drawable::releaseGLObjects(state);
+    _triangle->releaseGLObjects(state);
+}
+
+}  // namespace osgEnvLight

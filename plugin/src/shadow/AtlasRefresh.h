@@ -1,0 +1,60 @@
+/* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
+#pragma once
+
+#include "surface/CasterCollector.h"
+#include "gl/GpuTimer.h"
+#include "shadow/ShadowTargets.h"
+
+#include <osg/Drawable>
+
+namespace osgEnvLight
+{
+
+/** Draws maps of height: the casters twice, for the first and the second surface from each light, then what is made of both
+ * into the maps. Owned by one frame of one view; written at cull. */
+class OSGENVLIGHT_EXPORT AtlasRefresh : public osg::Drawable
+{
+  public:
+    /** @param vertices  fullScreenVertices() */
+    AtlasRefresh(const std::string& name, GpuTimer* timer, osg::Vec3Array* vertices);
+
+    /** The programs' state sets, each with its own depth state and textures; midpoints reads the first two's targets. */
+    struct States {
+        osg::ref_ptr<osg::StateSet> first, second, midpoints;
+    };
+    void prepare(const ShadowTargets& targets, const std::vector<ShadowRefresh>& refreshes, std::vector<Caster>&& casters,
+                 const States& states, bool timed);
+
+    void drawImplementation(osg::RenderInfo& renderInfo) const override;
+    osg::BoundingBox computeBoundingBox() const override { return osg::BoundingBox(); }
+    void resizeGLObjectBuffers(unsigned maximum) override;
+    void releaseGLObjects(osg::State* state) const override;
+
+  private:
+    struct Placed {
+        osg::ref_ptr<const osg::Geometry> geometry;
+        osg::ref_ptr<osg::RefMatrix> modelView;
+        osg::ref_ptr<osg::StateSet> state;
+        osg::BoundingBoxd bound;  // about the maps' origin
+    };
+    struct Map {
+        unsigned index;
+        osg::ref_ptr<osg::RefMatrix> projection;
+        float texel;
+        bool shows(const osg::BoundingBoxd& bound) const;
+    };
+    void drawCasters(osg::RenderInfo& renderInfo, osg::FrameBufferObject& target, const osg::StateSet& stateSet, size_t begin,
+                     size_t end) const;
+    void drawRun(osg::RenderInfo& renderInfo, size_t caster, size_t casterEnd, size_t begin, size_t end) const;
+    void storeMidpoints(osg::RenderInfo& renderInfo, size_t begin, size_t end) const;
+
+    osg::ref_ptr<GpuTimer> _timer;
+    osg::ref_ptr<osg::Geometry> _triangle;
+    ShadowTargets _targets;
+    States _states;
+    std::vector<Placed> _casters;  // those of a state set side by side
+    std::vector<Map> _maps;
+    bool _timed = false;
+};
+
+}  // namespace osgEnvLight

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+#include "shadow/ShadowAtlas.h"
+
+#include "lights/MapSequence.h"
+#include "lights/SolidAngles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "glsl.h"
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+// A map whose light has moved by more than this [chord] is drawn again; if further than the second, it is another light's.
+const double movedLight = 1e-4;
+const double anotherLight = 0.2;
+
+bool sameLights(const LightList& a, const LightList& b)
+{
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const DirectionalLight& x, const DirectionalLight& y) {
+        return x.direction == y.direction && x.flux == y.flux;
+    });
+}
+
+void writeRow(osg::Image& image, unsigned light, unsigned row, const osg::Vec3d& v, double w)
+{
+    float* out = reinterpret_cast<float*>(image.data(light / 16, 4 * (light % 16) + row));
+    for (int k = 0; k < 3; ++k) out[k] = float(v.ptr()[k]);
+    out[3] = float(w);
+}
+
+}  // namespace
+
+ShadowAtlas::ShadowAtlas(unsigned lightCount, unsigned mapSize) : lights(lightCount), size(mapSize), _maps(lightCount)
+{
+    const auto columns = unsigned(std::ceil(std::sqrt(double(lights))));
+    const unsigned batch = std::clamp(1024u / size, 1u, 8u);
+    _targets = ShadowTargets(size, columns, (lights + columns - 1) / columns, batch, GL_RG16, GL_RG16F);
+}
+
+// The bound stays while it fits: a caster that wanders within it moves no map.
+void ShadowAtlas::fit(const std::vector<Caster>& casters)
+{
+    const osg::BoundingBoxd bound = boundOf(casters);
+    if (!bound.valid() || (contains(_box, bound) && diagonal(bound) > 0.5 * diagonal(_box))) return;
+    const double margin = 0.02 * diagonal(bound);
+    const osg::Vec3d more(margin, margin, margin);
+    _box = osg::BoundingBoxd(bound._min - more, bound._max + more);
+    if ((_box.center() - _targets.origin).length() < 16.0 * diagonal(_box) && _version > 0) return;
+    _targets.origin = _box.center();  // floats about it keep their digits
+    for (Map& map : _maps) map.drawn = false;
+}
+
+void ShadowAtlas::place(Map& map, unsigned index, const osg::Vec3d& direction) const
+{
+    const glsl::mat3 frame = glsl::frameAround(glsl::vec3(direction.x(), direction.y(), direction.z()));
+    const osg::Vec3d t(frame[0].x, frame[0].y, frame[0].z), b(frame[1].x, frame[1].y, frame[1].z);
+    // Golden angle: neighbours' texels don't fall in step.
+    const double turn = 2.39996322972865332 * (index + double(lights) * _turn);
+    map.across = t * std::cos(turn) + b * std::sin(turn);
+    map.up = b * std::cos(turn) - t * std::sin(turn);
+    map.along = direction;
+    map.center = _focus.valid() ? _focus.center() : _box.center();
+    map.radius = _focus.valid() ? _focus.radius() : 0.0;
+    for (unsigned i = 0; i < 8 && !_focus.valid(); ++i) {
+        const osg::Vec3d corner = _box.corner(i) - map.center;
+        for (const osg::Vec3d& axis : {map.across, map.up, map.along}) map.radius = std::max(map.radius, std::abs(corner * axis));
+    }
+    map.radius *= 1.0 + 2.0 / size;  // a texel about
+    const double texel = 2.0 * map.radius / size;
+    if (_focus.valid())  // the next focus's texels are these
+        for (const osg::Vec3d& axis : {map.across, map.up})
+            map.center += axis * (std::round(map.center * axis / texel) * texel - map.center * axis);
+    if (_turn == 0) return;
+    const osg::Vec2d shift = r2Point(index + lights * _turn) - osg::Vec2d(0.5, 0.5);
+    map.center += (map.across * shift[0] + map.up * shift[1]) * texel;
+}
+
+osg::Matrixd ShadowAtlas::projection(const Map& map) const
+{
+    osg::Matrixd m;
+    const osg::Vec3d axes[] = {map.across / map.radius, map.up / map.radius, -map.along / map.radius};
+    const osg::Vec3d center = map.center - _targets.origin;
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row) m(row, column) = axes[column].ptr()[row];
+        m(3, column) = -(center * axes[column]);
+    }
+    return m;
+}
+
+double ShadowAtlas::priority(const Map& map, const osg::Vec3d& flux) const
+{
+    const double sum = sumOf(flux);
+    if (!(sum > 0.0)) return 0.0;
+    if (!map.drawn) return 1e6 * sum;
+    if (map.former) return 1e3 * sum;
+    return map.outdated ? sum * (1.0 + map.age) : 0.0;
+}
+
+void ShadowAtlas::setFocus(const osg::BoundingSphered& sphere)
+{
+    if (sphere.center() == _focus.center() && sphere.radius() == _focus.radius()) return;
+    _formerFocus = _focus.valid() ? shown() : sphere;
+    _focus = sphere;
+    for (Map& map : _maps) map.outdated = true;
+}
+
+osg::BoundingSphered ShadowAtlas::shown() const
+{
+    const double left = double(_waiting) / lights;
+    return osg::BoundingSphered(_focus.center() + (_formerFocus.center() - _focus.center()) * left,
+                                _focus.radius() + (_formerFocus.radius() - _focus.radius()) * left);
+}
+
+void ShadowAtlas::setCasters(const std::vector<Caster>& casters)
+{
+    const double side = _focus.valid() ? 2.0 * _focus.radius() : diagonal(_box);
+    const double texel = _box.valid() ? side / size : 0.0;
+    _moved = !sameShadows(casters, _casters, 0.02 * texel);
+    if (_moved) {
+        fit(casters);
+        _casters = casters;
+    }
+    if (!_box.valid() || _focus.valid()) return;
+    _still.setPlace(_targets.origin, 0.5 * diagonal(_box) / size);
+    _still.update(_casters, _moved, 0.02 * texel);
+}
+
+// A light that has moved little keeps its map and has its new flux. Where one is elsewhere now, the former and its map stay until
+// the new one's is drawn, as bright beside the rest as it was: the light comes over map by map.
+void ShadowAtlas::setLights(const LightList& list)
+{
+    const double before = sumOf(_list);
+    const double factor = before > 0.0 ? sumOf(list) / before : 1.0;
+    const std::vector<double> angles = solidAngles(list);
+    for (unsigned i = 0; i < lights; ++i) {
+        Map& map = _maps[i];
+        map.former = map.drawn && (list[i].direction - map.along).length() > anotherLight;
+        if (map.former)
+            map.flux *= factor;
+        else
+            std::tie(map.flux, map.solidAngle) = std::tie(list[i].flux, angles[i]);
+    }
+    _list = list;
+    _solidAngles = angles;
+}
+
+std::vector<ShadowRefresh> ShadowAtlas::update(const LightList& list, unsigned budget)
+{
+    if (_lost.exchange(false))
+        for (Map& map : _maps) map.drawn = false;
+    const bool changed = !sameLights(list, _list);
+    if (changed) setLights(list);
+    std::vector<std::pair<double, unsigned>> wanted;
+    for (unsigned i = 0; i < lights; ++i) {
+        Map& map = _maps[i];
+        const double step = (list[i].direction - map.along).length();
+        map.outdated = map.outdated || _moved || step > movedLight;
+        map.age = map.outdated ? map.age + 1 : 0;
+        const double p = priority(map, list[i].flux);
+        if (p > 0.0) wanted.emplace_back(-p, i);
+    }
+    const size_t count = _box.valid() ? std::min<size_t>(budget, wanted.size()) : 0;
+    _waiting = unsigned(wanted.size() - count);
+    std::partial_sort(wanted.begin(), wanted.begin() + std::ptrdiff_t(count), wanted.end());
+    std::vector<ShadowRefresh> refreshes;
+    for (size_t k = 0; k < count; ++k) {
+        Map& map = _maps[wanted[k].second];
+        place(map, wanted[k].second, list[wanted[k].second].direction);
+        map.drawn = true;
+        map.outdated = false;
+        map.former = false;
+        map.flux = list[wanted[k].second].flux;
+        map.solidAngle = _solidAngles[wanted[k].second];
+        refreshes.push_back({wanted[k].second, projection(map)});
+    }
+    if (changed || !refreshes.empty()) ++_version;
+    return refreshes;
+}
+
+void ShadowAtlas::writePlace(osg::Image& image, unsigned index, unsigned firstRow, const osg::Vec3d& origin) const
+{
+    const Map& map = _maps[index];
+    const osg::Vec3d along = map.drawn ? map.along : _list[index].direction;
+    const osg::Vec3d center = map.center - origin;
+    const double height = map.drawn ? 0.5 / map.radius : 1.0;
+    const double texels = height * size;
+    writeRow(image, index, firstRow, map.across * texels, 0.5 * size - center * map.across * texels);
+    writeRow(image, index, firstRow + 1, map.up * texels, 0.5 * size - center * map.up * texels);
+    writeRow(image, index, firstRow + 2, along * height, 0.5 - center * along * height);
+}
+
+// While lights move, maps of the one atlas may be of where a light was and those of the other not.
+bool ShadowAtlas::showsAs(const ShadowAtlas& other, unsigned index) const
+{
+    const Map &map = _maps[index], &like = other._maps[index];
+    return map.drawn && like.drawn && (map.along - like.along).length() <= movedLight;
+}
+
+osg::ref_ptr<osg::Image> ShadowAtlas::lightImage(double scale, const ShadowAtlas* finer) const
+{
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(int(lights / 16), finer ? 128 : 64, 1, GL_RGBA, GL_FLOAT);
+    image->setInternalTextureFormat(GL_RGBA32F_ARB);
+    for (unsigned i = 0; i < lights; ++i) {
+        const Map& map = _maps[i];
+        writePlace(*image, i, 0, _targets.origin);
+        if (map.drawn)
+            writeRow(*image, i, 3, map.flux * scale, std::max(map.solidAngle, 1e-6));
+        else
+            writeRow(*image, i, 3, _list[i].flux * scale, -std::max(_solidAngles[i], 1e-6));
+        if (!finer) continue;
+        finer->writePlace(*image, i, 64, _targets.origin);
+        writeRow(*image, i, 67, osg::Vec3d(), finer->showsAs(*this, i) ? 1.0 : -1.0);
+    }
+    return image;
+}
+
+double ShadowAtlas::texel() const
+{
+    double radius = 0.0;
+    for (const Map& map : _maps) radius = std::max(radius, map.radius);
+    return 2.0 * radius / size;
+}
+
+bool ShadowAtlas::complete() const
+{
+    for (unsigned i = 0; i < lights; ++i)
+        if (!_maps[i].drawn && (_list.empty() || sumOf(_list[i].flux) > 0.0)) return false;
+    return true;
+}
+
+void ShadowAtlas::resizeGLObjectBuffers(unsigned maximum)
+{
+    _targets.resizeGLObjectBuffers(maximum);
+    _still.resizeGLObjectBuffers(maximum);
+}
+
+void ShadowAtlas::releaseGLObjects(osg::State* state) const
+{
+    _targets.releaseGLObjects(state);
+    _still.releaseGLObjects(state);
+    _lost = true;
+}
+
+size_t ShadowAtlas::bytes() const
+{
+    const size_t map = size_t(size) * size;
+    const size_t rows = (lights + _targets.columns - 1) / _targets.columns;
+    return 4 * map * _targets.columns * rows + (4 + 4 + 4) * map * _targets.batch + _still.bytes();
+}
+
+}  // namespace osgEnvLight

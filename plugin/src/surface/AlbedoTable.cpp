@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "surface/AlbedoTable.h"
+
+#include <algorithm>
+
+#include "glsl.h"
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+const unsigned tableSize = 32;
+
+// By the visible normals' own distribution, whose weight G2/G1 is bounded: 1024 points leave less than 1e-3.
+glsl::vec2 albedo(double roughness, double cosV)
+{
+    const double alpha = std::max(roughness * roughness, 1e-4);
+    const double mu = std::max(cosV, 1e-4);
+    const glsl::vec3 v(std::sqrt(std::max(0.0, 1.0 - mu * mu)), 0.0, mu);
+    const glsl::uint count = 1024;
+    glsl::vec2 sum(0.0);
+    for (glsl::uint i = 0; i < count; ++i) {
+        const glsl::vec3 h = glsl::ggxVisibleNormalSample(v, alpha, glsl::hammersley(i, count));
+        const double c = glsl::dot(v, h);
+        const glsl::vec3 l = 2.0 * c * h - v;
+        if (l.z <= 0.0) continue;
+        const double w = glsl::ggxG2OverG1(v.z, l.z, alpha);
+        const double f90 = glsl::fresnelSchlick(glsl::vec3(0.0), c).x;
+        sum += glsl::vec2(w * (1.0 - f90), w * f90);
+    }
+    return sum / double(count);
+}
+
+osg::ref_ptr<osg::Image> makeTable()
+{
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(int(tableSize), int(tableSize), 1, GL_RG, GL_FLOAT);
+    image->setInternalTextureFormat(GL_RG32F);
+    for (unsigned y = 0; y < tableSize; ++y)
+        for (unsigned x = 0; x < tableSize; ++x) {
+            const double rootMu = double(y) / (tableSize - 1);
+            const glsl::vec2 a = albedo(double(x) / (tableSize - 1), rootMu * rootMu);
+            float* out = reinterpret_cast<float*>(image->data(x, y));
+            out[0] = float(a.x);
+            out[1] = float(a.y);
+        }
+    return image;
+}
+
+}  // namespace
+
+osg::ref_ptr<osg::Image> albedoTableImage()
+{
+    static const osg::ref_ptr<osg::Image> image = makeTable();
+    return image;
+}
+
+}  // namespace osgEnvLight

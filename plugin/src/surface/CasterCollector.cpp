@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "surface/CasterCollector.h"
+
+#include <osg/Billboard>
+#include <osg/Camera>
+#include <osg/Projection>
+#include <osgUtil/CullVisitor>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+bool hasSurfaces(const osg::Geometry& geometry)
+{
+    for (unsigned i = 0; i < geometry.getNumPrimitiveSets(); ++i) {
+        const GLenum mode = geometry.getPrimitiveSet(i)->getMode();
+        if (mode != GL_POINTS && mode != GL_LINES && mode != GL_LINE_STRIP && mode != GL_LINE_LOOP) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+CasterCollector::CasterCollector(osgUtil::CullVisitor& cv, const osg::Matrixd& worldFromEye, StateSets& stateSets,
+                                 SurfaceFacts* facts)
+    : osg::NodeVisitor(osg::NodeVisitor::NODE_VISITOR, osg::NodeVisitor::TRAVERSE_ACTIVE_CHILDREN),
+      osg::CullStack(cv),  // not made anew, which reads the environment's variables and, at INFO, prints that in every frame
+      _worldFromEye(worldFromEye),
+      _stateSets(stateSets),
+      _states(1, CasterState(facts))
+{
+    setTraversalMask(cv.getTraversalMask());
+    setNodeMaskOverride(cv.getNodeMaskOverride());
+    setFrameStamp(const_cast<osg::FrameStamp*>(cv.getFrameStamp()));
+    setTraversalNumber(cv.getTraversalNumber());
+    setCullingMode(osg::CullSettings::NO_CULLING);
+    setLODScale(cv.getLODScale());
+    pushViewport(cv.getViewport());
+    pushProjectionMatrix(cv.getProjectionMatrix());
+    pushModelViewMatrix(cv.getModelViewMatrix(), osg::Transform::ABSOLUTE_RF);
+}
+
+std::vector<Caster> CasterCollector::collect(osg::Group& group)
+{
+    for (unsigned i = 0; i < group.getNumChildren(); ++i) group.getChild(i)->accept(*this);
+    return std::move(_casters);
+}
+
+void CasterCollector::forgetUnused(StateSets& stateSets, const std::vector<Caster>& casters)
+{
+    if (stateSets.empty()) return;
+    std::set<const osg::StateSet*> used;
+    for (const Caster& caster : casters) used.insert(caster.state.get());
+    for (auto it = stateSets.begin(); it != stateSets.end();)
+        it = used.count(it->second.get()) ? std::next(it) : stateSets.erase(it);
+}
+
+float CasterCollector::getDistanceToEyePoint(const osg::Vec3& pos, bool withLODScale) const
+{
+    return (pos - getEyeLocal()).length() * (withLODScale ? getLODScale() : 1.0f);
+}
+
+float CasterCollector::getDistanceToViewPoint(const osg::Vec3& pos, bool withLODScale) const
+{
+    return (pos - getViewPointLocal()).length() * (withLODScale ? getLODScale() : 1.0f);
+}
+
+float CasterCollector::getDistanceFromEyePoint(const osg::Vec3& pos, bool withLODScale) const
+{
+    const osg::Matrixd& m = *const_cast<CasterCollector*>(this)->getModelViewMatrix();
+    const double z = double(pos.x()) * m(0, 2) + double(pos.y()) * m(1, 2) + double(pos.z()) * m(2, 2) + m(3, 2);
+    return float(-z) * (withLODScale ? getLODScale() : 1.0f);
+}
+
+void CasterCollector::traverseWith(const osg::StateSet* stateSet, osg::Node& node)
+{
+    if (stateSet) {
+        _states.push_back(_states.back());
+        _states.back().merge(*stateSet);
+    }
+    traverse(node);
+    if (stateSet) _states.pop_back();
+}
+
+void CasterCollector::apply(osg::Node& node)
+{
+    traverseWith(node.getStateSet(), node);
+}
+
+void CasterCollector::apply(osg::Transform& node)
+{
+    osg::ref_ptr<osg::RefMatrix> matrix = new osg::RefMatrix(*getModelViewMatrix());
+    node.computeLocalToWorldMatrix(*matrix, this);
+    pushModelViewMatrix(matrix.get(), node.getReferenceFrame());
+    traverseWith(node.getStateSet(), node);
+    popModelViewMatrix();
+}
+
+// As the view turns it.
+void CasterCollector::apply(osg::Billboard& node)
+{
+    const osg::Vec3 eye = getEyeLocal();
+    for (unsigned i = 0; i < node.getNumDrawables(); ++i) {
+        const osg::Geometry* geometry = node.getDrawable(i)->asGeometry();
+        if (!geometry) continue;
+        osg::Matrixd matrix(*getModelViewMatrix());
+        node.computeMatrix(matrix, eye, node.getPosition(i));
+        _states.push_back(_states.back());
+        for (const osg::StateSet* s : {static_cast<const osg::Node&>(node).getStateSet(), geometry->getStateSet()})
+            if (s) _states.back().merge(*s);
+        add(*geometry, matrix);
+        _states.pop_back();
+    }
+}
+
+void CasterCollector::apply(osg::Geometry& geometry)
+{
+    const osg::StateSet* stateSet = geometry.getStateSet();
+    if (stateSet) {
+        _states.push_back(_states.back());
+        _states.back().merge(*stateSet);
+    }
+    add(geometry, *getModelViewMatrix());
+    if (stateSet) _states.pop_back();
+}
+
+void CasterCollector::add(const osg::Geometry& geometry, const osg::Matrixd& eyeFromModel)
+{
+    const CasterState& state = _states.back();
+    if (!state.casts(&geometry) || !hasSurfaces(geometry)) return;
+    Caster caster{&geometry, eyeFromModel * _worldFromEye, nullptr,
+                  geometry.getVertexArray() ? geometry.getVertexArray()->getModifiedCount() : 0};
+    if (state.perforated(geometry)) {
+        osg::ref_ptr<osg::StateSet>& shared = _stateSets[state.key(geometry)];
+        if (!shared) shared = state.makeStateSet(geometry);
+        caster.state = shared;
+    }
+    _casters.push_back(caster);
+}
+
+bool sameShadow(const Caster& a, const Caster& b, double slack)
+{
+    if (a.geometry != b.geometry || a.state != b.state || a.shape != b.shape) return false;
+    if (a.worldFromModel == b.worldFromModel) return true;
+    const osg::BoundingBox& box = a.geometry->getBoundingBox();
+    for (unsigned k = 0; box.valid() && k < 8; ++k) {
+        const osg::Vec3d corner = box.corner(k);
+        if ((corner * a.worldFromModel - corner * b.worldFromModel).length() > slack) return false;
+    }
+    return true;
+}
+
+bool sameShadows(const std::vector<Caster>& a, const std::vector<Caster>& b, double slack)
+{
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [&](const Caster& x, const Caster& y) { return sameShadow(x, y, slack); });
+}
+
+osg::BoundingBoxd boundOf(const Caster& caster)
+{
+    osg::BoundingBoxd bound;
+    const osg::BoundingBox& box = caster.geometry->getBoundingBox();
+    for (unsigned k = 0; box.valid() && k < 8; ++k) {
+        const osg::Vec3d p = osg::Vec3d(box.corner(k)) * caster.worldFromModel;
+        if (std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z())) bound.expandBy(p);
+    }
+    return bound;
+}
+
+osg::BoundingBoxd boundOf(const std::vector<Caster>& casters)
+{
+    osg::BoundingBoxd bound;
+    for (const Caster& caster : casters) bound.expandBy(boundOf(caster));
+    return bound;
+}
+
+size_t trianglesOf(const std::vector<Caster>& casters)
+{
+    size_t sum = 0;
+    for (const Caster& caster : casters)
+        for (unsigned i = 0; i < caster.geometry->getNumPrimitiveSets(); ++i) {
+            const osg::PrimitiveSet& set = *caster.geometry->getPrimitiveSet(i);
+            sum += set.getMode() == GL_TRIANGLES ? set.getNumIndices() / 3 : set.getNumIndices();
+        }
+    return sum;
+}
+
+}  // namespace osgEnvLight

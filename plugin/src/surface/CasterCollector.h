@@ -1,0 +1,100 @@
+/* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
+#pragma once
+
+#include "surface/CasterState.h"
+
+#include <osg/BoundingBox>
+#include <osg/CullStack>
+#include <osg/Geometry>
+#include <osg/NodeVisitor>
+
+#include <map>
+#include <vector>
+
+namespace osgUtil
+{
+class CullVisitor;
+}
+
+namespace osgEnvLight
+{
+
+/** A geometry that casts shadows. */
+struct Caster {
+    osg::ref_ptr<const osg::Geometry> geometry;
+    osg::Matrixd worldFromModel;
+    osg::ref_ptr<osg::StateSet> state;  // of perforated ones; null: solid
+    unsigned shape = 0;                 // modified count of its vertices
+};
+
+/** All that casts shadows below a node, whether the view shows it or not: levels of detail, switches, billboards and paged
+ * nodes as the view sees them. It is no cull traversal: cull callbacks don't run, no page is asked for or kept alive, and
+ * nothing is left in the graph. Drawables other than osg::Geometry cast nothing, nor do points and lines. */
+class OSGENVLIGHT_EXPORT CasterCollector : public osg::NodeVisitor, public osg::CullStack
+{
+  public:
+    /** State sets of perforated casters, kept from frame to frame. */
+    using StateSets = std::map<CasterState::Key, osg::ref_ptr<osg::StateSet>>;
+
+    /** @param cv             the host's traversal, standing at the node
+     * @param worldFromEye   of the view
+     * @param facts          what is remembered of textures */
+    CasterCollector(osgUtil::CullVisitor& cv, const osg::Matrixd& worldFromEye, StateSets& stateSets,
+                    SurfaceFacts* facts = nullptr);
+
+    /** The casters below the group; its own state set does not count. */
+    std::vector<Caster> collect(osg::Group& group);
+
+    /** Drop the state sets, and with them the user's textures, that none of the casters has. */
+    static void forgetUnused(StateSets& stateSets, const std::vector<Caster>& casters);
+
+    osg::CullStack* asCullStack() override { return this; }
+    const osg::CullStack* asCullStack() const override { return this; }
+    osg::Vec3 getEyePoint() const override { return getEyeLocal(); }
+    osg::Vec3 getViewPoint() const override { return getViewPointLocal(); }
+    float getDistanceToEyePoint(const osg::Vec3& pos, bool withLODScale) const override;
+    float getDistanceToViewPoint(const osg::Vec3& pos, bool withLODScale) const override;
+    float getDistanceFromEyePoint(const osg::Vec3& pos, bool withLODScale) const override;
+
+    void apply(osg::Node& node) override;
+    void apply(osg::Transform& node) override;
+    void apply(osg::Billboard& node) override;
+    void apply(osg::Projection&) override {}
+    void apply(osg::Camera&) override {}
+    void apply(osg::Geometry& geometry) override;
+    void apply(osg::Drawable&) override {}
+
+  private:
+    void traverseWith(const osg::StateSet* stateSet, osg::Node& node);
+    void add(const osg::Geometry& geometry, const osg::Matrixd& eyeFromModel);
+
+    const osg::Matrixd _worldFromEye;
+    StateSets& _stateSets;
+    std::vector<CasterState> _states;
+    std::vector<Caster> _casters;
+};
+
+/** True if both throw the same shadow: one shape at one place, to within slack [world units]. */
+OSGENVLIGHT_EXPORT bool sameShadow(const Caster& a, const Caster& b, double slack);
+
+/** True if both lists throw the same shadows: the same shapes at the same places, to within slack [world units]. */
+OSGENVLIGHT_EXPORT bool sameShadows(const std::vector<Caster>& a, const std::vector<Caster>& b, double slack);
+
+/** The casters' bound in the world; bounds that are not finite don't count. */
+OSGENVLIGHT_EXPORT osg::BoundingBoxd boundOf(const std::vector<Caster>& casters);
+OSGENVLIGHT_EXPORT osg::BoundingBoxd boundOf(const Caster& caster);
+
+/** Whether all of the second lies within the first, which may be empty. */
+inline bool contains(const osg::BoundingBoxd& outer, const osg::BoundingBoxd& inner)
+{
+    return outer.valid() && outer.contains(inner._min) && outer.contains(inner._max);
+}
+inline double diagonal(const osg::BoundingBoxd& box)
+{
+    return (box._max - box._min).length();
+}
+
+/** Triangles of the casters, about: those of strips and the like by their vertices. */
+OSGENVLIGHT_EXPORT size_t trianglesOf(const std::vector<Caster>& casters);
+
+}  // namespace osgEnvLight

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "surface/CasterMesh.h"
+
+#include <osg/TriangleIndexFunctor>
+#include <osg/Array>
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+using Mesh = CasterMesh;
+using Triangle = std::array<unsigned, 3>;
+
+struct Collect {
+    std::vector<Triangle>* triangles = nullptr;
+    void operator()(unsigned a, unsigned b, unsigned c) const { triangles->push_back({a, b, c}); }
+};
+
+// Vertices of any type that OSG draws.
+class VertexReader : public osg::ConstValueVisitor
+{
+  public:
+    void apply(const osg::Vec2& v) override { value = osg::Vec3d(v.x(), v.y(), 0); }
+    void apply(const osg::Vec3& v) override { value = v; }
+    void apply(const osg::Vec4& v) override { value = osg::Vec3d(v.x(), v.y(), v.z()) / double(v.w()); }
+    void apply(const osg::Vec2d& v) override { value = osg::Vec3d(v.x(), v.y(), 0); }
+    void apply(const osg::Vec3d& v) override { value = v; }
+    void apply(const osg::Vec4d& v) override { value = osg::Vec3d(v.x(), v.y(), v.z()) / v.w(); }
+    void apply(const osg::Vec2s& v) override { value = osg::Vec3d(v.x(), v.y(), 0); }
+    void apply(const osg::Vec3s& v) override { value = osg::Vec3d(v.x(), v.y(), v.z()); }
+    void apply(const osg::Vec4s& v) override { value = osg::Vec3d(v.x(), v.y(), v.z()) / double(v.w()); }
+    osg::Vec3d value;
+};
+
+double area(const Mesh& mesh)
+{
+    double sum = 0.0;
+    for (const Triangle& t : mesh.triangles) {
+        const osg::Vec3d a = mesh.positions[t[0]];
+        sum += ((osg::Vec3d(mesh.positions[t[1]]) - a) ^ (osg::Vec3d(mesh.positions[t[2]]) - a)).length();
+    }
+    return 0.5 * sum;
+}
+
+Mesh read(const Caster& caster, const osg::Vec3d& origin)
+{
+    Mesh mesh;
+    const osg::Array* vertices = caster.geometry->getVertexArray();
+    if (!vertices) return mesh;
+    const osg::Matrixd matrix = caster.worldFromModel * osg::Matrixd::translate(-origin);
+    VertexReader reader;
+    for (unsigned i = 0; i < vertices->getNumElements(); ++i) {
+        vertices->accept(i, reader);
+        mesh.positions.push_back(osg::Vec3f(reader.value * matrix));
+    }
+    for (unsigned i = 0; i < caster.geometry->getNumPrimitiveSets(); ++i) {
+        osg::TriangleIndexFunctor<Collect> collect;
+        collect.triangles = &mesh.triangles;
+        caster.geometry->getPrimitiveSet(i)->accept(collect);
+    }
+    const auto usable = [&](unsigned v) {
+        return v < mesh.positions.size() && std::isfinite(mesh.positions[v].x()) && std::isfinite(mesh.positions[v].y()) &&
+               std::isfinite(mesh.positions[v].z());
+    };
+    const auto bad = [&](const Triangle& t) { return !usable(t[0]) || !usable(t[1]) || !usable(t[2]); };
+    mesh.triangles.erase(std::remove_if(mesh.triangles.begin(), mesh.triangles.end(), bad), mesh.triangles.end());
+    return mesh;
+}
+
+struct CellHash {
+    size_t operator()(const std::array<long, 3>& c) const
+    {
+        return size_t(c[0]) * 73856093u ^ size_t(c[1]) * 19349663u ^ size_t(c[2]) * 83492791u;
+    }
+};
+
+Mesh merged(const Mesh& mesh, double cell)
+{
+    Mesh result;
+    std::unordered_map<std::array<long, 3>, unsigned, CellHash> cells(mesh.positions.size());
+    std::vector<unsigned> index(mesh.positions.size());
+    std::vector<osg::Vec3d> sums;
+    std::vector<unsigned> counts;
+    std::vector<char> used(mesh.positions.size(), 0);
+    for (const Triangle& t : mesh.triangles)
+        for (unsigned v : t) used[v] = 1;
+    for (size_t i = 0; i < mesh.positions.size(); ++i) {
+        if (!used[i]) continue;
+        const osg::Vec3f& p = mesh.positions[i];
+        std::array<long, 3> key;
+        for (int k = 0; k < 3; ++k) key[size_t(k)] = std::lround(double(p.ptr()[k]) / cell);
+        const auto [found, isNew] = cells.emplace(key, unsigned(sums.size()));
+        if (isNew) {
+            sums.emplace_back();
+            counts.push_back(0);
+        }
+        index[i] = found->second;
+        sums[index[i]] += p;
+        ++counts[index[i]];
+    }
+    for (size_t i = 0; i < sums.size(); ++i) result.positions.push_back(osg::Vec3f(sums[i] / double(counts[i])));
+    for (const Triangle& t : mesh.triangles) {
+        Triangle m = {index[t[0]], index[t[1]], index[t[2]]};
+        std::sort(m.begin(), m.end());
+        if (m[0] != m[1] && m[1] != m[2]) result.triangles.push_back(m);
+    }
+    std::sort(result.triangles.begin(), result.triangles.end());
+    result.triangles.erase(std::unique(result.triangles.begin(), result.triangles.end()), result.triangles.end());
+    return result;
+}
+
+// With the largest cells that leave its area.
+Mesh coarsened(Mesh&& mesh, double cell)
+{
+    const double least = 0.9 * area(mesh);
+    for (int halving = 0; halving < 3; ++halving, cell *= 0.5) {
+        Mesh coarse = merged(mesh, cell);
+        if (coarse.triangles.size() >= mesh.triangles.size()) break;
+        if (area(coarse) >= least) return coarse;
+    }
+    return std::move(mesh);
+}
+
+}  // namespace
+
+CasterMesh coarseMesh(const Caster& caster, const osg::Vec3d& origin, double cell)
+{
+    return coarsened(read(caster, origin), cell);
+}
+
+}  // namespace osgEnvLight

@@ -1,0 +1,49 @@
+/* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
+#pragma once
+
+#include "surface/CasterMesh.h"
+
+namespace osgEnvLight
+{
+
+/** The solid casters that stand still as one coarse geometry, so that a map of the atlas is one draw, however many drawables
+ * there are; what moves is drawn beside it as it is, and joins it when all have stood still for a while. */
+class OSGENVLIGHT_EXPORT StaticCasters
+{
+  public:
+    /** What the geometry is relative to, and how coarse it is [coarseMesh]. Others forget it; a cell that differs by less than a
+     * factor of 2 does not. */
+    void setPlace(const osg::Vec3d& origin, double cell);
+
+    /** @param moved  whether they differ from the last ones by more than slack [world units] */
+    void update(const std::vector<Caster>& casters, bool moved, double slack);
+
+    /** What stands for all of them. */
+    std::vector<Caster> drawn() const;
+    /** Triangles of drawn(). */
+    size_t triangles() const { return trianglesOf(drawn()); }
+    size_t bytes() const;
+
+    void resizeGLObjectBuffers(unsigned maximum) const;
+    void releaseGLObjects(osg::State* state) const;
+
+    /** Frames without motion until what has moved is merged: a motion that pauses costs nothing. */
+    static constexpr unsigned patience = 8;
+
+  private:
+    struct Still {
+        Caster caster;
+        CasterMesh mesh;
+    };
+    void sort(const std::vector<Caster>& casters, bool merges, double slack);
+    void build();
+
+    osg::Vec3d _origin;
+    double _cell = 0.0;
+    std::vector<Still> _still;              // in the casters' order
+    std::vector<Caster> _loose;             // all others
+    osg::ref_ptr<osg::Geometry> _geometry;  // of _still; null before the first update
+    unsigned _frames = 0;                   // since the last motion
+};
+
+}  // namespace osgEnvLight

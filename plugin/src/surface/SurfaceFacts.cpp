@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include "surface/SurfaceFacts.h"
+
+#include <osg/NodeVisitor>
+#include <osg/StateSet>
+#include <osg/Texture2D>
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+const osg::Image* imageOf(const osg::Texture& texture)
+{
+    const osg::Image* image = texture.getNumImages() > 0 ? texture.getImage(0) : nullptr;
+    return image && image->data() ? image : nullptr;
+}
+
+bool isFloat(GLenum type)
+{
+    return type == GL_FLOAT || type == GL_HALF_FLOAT || type == GL_DOUBLE;
+}
+
+bool isFloatFormat(GLint format)
+{
+    switch (format) {
+        case GL_RGBA32F_ARB:
+        case GL_RGB32F_ARB:
+        case GL_RGBA16F_ARB:
+        case GL_RGB16F_ARB:
+        case GL_LUMINANCE32F_ARB:
+        case GL_LUMINANCE16F_ARB:
+        case GL_R32F:
+        case GL_R16F:
+        case GL_RG32F:
+        case GL_RG16F:
+            return true;
+        default:
+            return false;
+    }
+}
+
+bool isSrgbFormat(GLint format)
+{
+    switch (format) {
+        case GL_SRGB:
+        case GL_SRGB8:
+        case GL_SRGB_ALPHA:
+        case GL_SRGB8_ALPHA8:
+        case GL_COMPRESSED_SRGB_S3TC_DXT1_EXT:
+        case GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT:
+        case GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT3_EXT:
+        case GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT:
+            return true;
+        default:
+            return false;
+    }
+}
+
+bool hasAlpha(GLint format)
+{
+    switch (format) {
+        case 0:
+        case 1:
+        case 3:
+        case GL_RGB:
+        case GL_RGB5:
+        case GL_RGB8:
+        case GL_RGB16:
+        case GL_RED:
+        case GL_RG:
+        case GL_BGR:
+        case GL_LUMINANCE:
+        case GL_LUMINANCE8:
+        case GL_SRGB:
+        case GL_SRGB8:
+        case GL_RGB16F_ARB:
+        case GL_RGB32F_ARB:
+        case GL_COMPRESSED_RGB:
+        case GL_COMPRESSED_RGB_S3TC_DXT1_EXT:
+        case GL_COMPRESSED_SRGB_S3TC_DXT1_EXT:
+            return false;
+        default:
+            return true;
+    }
+}
+
+// All that can be known without an image.
+TextureFacts ofFormat(const osg::Texture& texture)
+{
+    const GLint format = texture.getInternalFormat();
+    return {hasAlpha(format), isFloatFormat(format) || isSrgbFormat(format), format == GL_ALPHA || format == GL_ALPHA8};
+}
+
+template <class Array>
+bool anyBelow(const Array& colors, double one)
+{
+    for (const auto& c : colors)
+        if (double(c.a()) < one) return true;
+    return false;
+}
+
+class TextureLooker : public osg::NodeVisitor
+{
+  public:
+    explicit TextureLooker(SurfaceFacts& facts) : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN), _facts(facts)
+    {
+        setNodeMaskOverride(~0u);
+    }
+    void apply(osg::Node& node) override
+    {
+        if (const osg::StateSet* s = node.getStateSet())
+            for (unsigned unit = 0; unit < s->getNumTextureAttributeLists(); ++unit) {
+                const osg::StateAttribute* a = s->getTextureAttribute(unit, osg::StateAttribute::TEXTURE);
+                if (const osg::Texture* texture = a ? a->asTexture() : nullptr) _facts.of(*texture);
+            }
+        traverse(node);
+    }
+
+  private:
+    SurfaceFacts& _facts;
+};
+
+}  // namespace
+
+bool SurfaceFacts::hasTexels(const osg::Texture& texture)
+{
+    if (imageOf(texture) || texture.getTextureWidth() > 0) return true;
+    const auto* flat = dynamic_cast<const osg::Texture2D*>(&texture);
+    return flat && flat->getSubloadCallback();
+}
+
+TextureFacts SurfaceFacts::measure(const osg::Texture& texture)
+{
+    const osg::Image* image = imageOf(texture);
+    if (!image) return ofFormat(texture);
+    const GLenum pixels = image->getPixelFormat();
+    const bool given = texture.getInternalFormatMode() == osg::Texture::USE_USER_DEFINED_FORMAT;
+    return {image->isImageTranslucent(), isFloat(image->getDataType()) || (given && isSrgbFormat(texture.getInternalFormat())),
+            pixels == GL_ALPHA};
+}
+
+bool SurfaceFacts::measure(const osg::Array& colors)
+{
+    if (const auto* floats = dynamic_cast<const osg::Vec4Array*>(&colors)) return anyBelow(*floats, 1.0);
+    if (const auto* doubles = dynamic_cast<const osg::Vec4dArray*>(&colors)) return anyBelow(*doubles, 1.0);
+    if (const auto* bytes = dynamic_cast<const osg::Vec4ubArray*>(&colors)) return anyBelow(*bytes, 255.0);
+    return false;
+}
+
+TextureFacts SurfaceFacts::of(const osg::Texture& texture)
+{
+    const osg::Image* image = imageOf(texture);
+    std::lock_guard<std::mutex> lock(_mutex);
+    const auto found = _textures.find(&texture);
+    const bool known = found != _textures.end() && found->second.texture.valid();
+    if (known && (!image || (found->second.image == image && found->second.modified == image->getModifiedCount())))
+        return found->second.facts;
+    if (!image) return ofFormat(texture);  // it may yet come
+    TextureEntry entry;
+    entry.texture = &texture;
+    entry.image = image;
+    entry.modified = image->getModifiedCount();
+    entry.changes = known ? found->second.changes + 1 : 0;
+    entry.facts = measure(texture);
+    // The second change is one of many: no frame of a video is searched for its least alpha.
+    if (entry.changes > 1) entry.facts.translucent = hasAlpha(GLint(image->getPixelFormat()));
+    _textures[&texture] = entry;
+    forgetDead();
+    return entry.facts;
+}
+
+bool SurfaceFacts::isTranslucent(const osg::Array& colors)
+{
+    std::lock_guard<std::mutex> lock(_mutex);
+    ArrayEntry& entry = _arrays[&colors];
+    if (entry.array != &colors || entry.modified != colors.getModifiedCount())
+        entry = {&colors, colors.getModifiedCount(), measure(colors)};
+    const bool translucent = entry.translucent;
+    forgetDead();
+    return translucent;
+}
+
+void SurfaceFacts::look(osg::Node& node)
+{
+    TextureLooker looker(*this);
+    node.accept(looker);
+}
+
+size_t SurfaceFacts::size() const
+{
+    std::lock_guard<std::mutex> lock(_mutex);
+    return _textures.size() + _arrays.size();
+}
+
+// When there are twice as many as were alive the last time.
+void SurfaceFacts::forgetDead()
+{
+    if (_textures.size() + _arrays.size() < _cleanUpAt) return;
+    for (auto it = _textures.begin(); it != _textures.end();)
+        it = it->second.texture.valid() ? std::next(it) : _textures.erase(it);
+    for (auto it = _arrays.begin(); it != _arrays.end();) it = it->second.array.valid() ? std::next(it) : _arrays.erase(it);
+    _cleanUpAt = std::max<size_t>(256, 2 * (_textures.size() + _arrays.size()));
+}
+
+}  // namespace osgEnvLight

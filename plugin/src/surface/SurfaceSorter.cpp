@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "surface/SurfaceSorter.h"
+
+#include <osgEnvLight/Material>
+#include "surface/SurfaceState.h"
+
+#include <osg/Geometry>
+#include <osg/Notify>
+
+#include <iterator>
+#include <unordered_map>
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+bool lacksNormals(const osg::Geometry* geometry)
+{
+    return geometry && !geometry->getNormalArray();
+}
+
+const osg::Geometry* geometryOf(const osgUtil::RenderLeaf& leaf)
+{
+    return leaf._drawable ? leaf._drawable->asGeometry() : nullptr;
+}
+
+// The state sets from below the ancestor down to the graph, rooted at another one.
+osgUtil::StateGraph* transplanted(const osgUtil::StateGraph* graph, const osgUtil::StateGraph* ancestor,
+                                  osgUtil::StateGraph* root)
+{
+    std::vector<const osg::StateSet*> path;
+    for (const osgUtil::StateGraph* s = graph; s != ancestor; s = s->_parent) path.push_back(s->getStateSet());
+    for (auto s = path.rbegin(); s != path.rend(); ++s) root = root->find_or_insert(*s);
+    return root;
+}
+
+void releaseBin(osgUtil::RenderBin& bin, const osg::StateSet& ours)
+{
+    osgUtil::RenderBin::StateGraphList released;
+    for (osgUtil::StateGraph* graph : bin.getStateGraphList()) {
+        osgUtil::StateGraph* own = graph;
+        while (own && own->getStateSet() != &ours) own = own->_parent;
+        osgUtil::StateGraph* target = own && own->_parent ? transplanted(graph, own, own->_parent) : graph;
+        released.push_back(target);
+        if (target == graph) continue;
+        for (auto& leaf : graph->_leaves) target->addLeaf(leaf.get());
+        graph->_leaves.clear();
+    }
+    bin.getStateGraphList().swap(released);
+    for (auto& [number, child] : bin.getRenderBinList()) releaseBin(*child, ours);
+}
+
+}  // namespace
+
+// One sort: the states met so far, and where things go.
+class SurfaceSort
+{
+  public:
+    SurfaceSort(SurfaceSorter& sorter, const SurfaceSorter::Places& places, const SurfaceSorter::LitState& lit)
+        : _sorter(sorter), _places(places), _top(places.top), _lit(lit)
+    {
+    }
+
+    void sortBin(osgUtil::RenderBin& from, osgUtil::RenderBin* to, bool sorted)
+    {
+        osgUtil::RenderBin::StateGraphList& list = from.getStateGraphList();
+        osgUtil::RenderBin::StateGraphList kept;
+        for (osgUtil::StateGraph* sg : list) {
+            const SurfaceState& state = effective(sg);
+            const bool blends = sorted && state.blending();
+            const unsigned bits = variantBits(state);
+            if (const char* what = state.ignored()) _sorter.say(what, "not drawn", nullptr);
+            for (auto& leaf : sg->_leaves) place(*leaf, sg, state, bits, blends, kept, to);
+            sg->_leaves.clear();
+        }
+        list.swap(kept);
+        for (auto& [number, bin] : from.getRenderBinList()) {
+            const bool backToFront = bin->getSortMode() == osgUtil::RenderBin::SORT_BACK_TO_FRONT;
+            osgUtil::RenderBin* target = to ? to->find_or_insert(number, backToFront ? "DepthSortedBin" : "RenderBin") : nullptr;
+            sortBin(*bin, target, sorted || backToFront);
+        }
+    }
+
+    SurfaceKinds kinds;
+
+  private:
+    const SurfaceState& effective(osgUtil::StateGraph* sg)
+    {
+        auto found = _states.find(sg);
+        if (found != _states.end()) return found->second;
+        SurfaceState state(&_sorter.facts());
+        if (sg->_parent) state = effective(sg->_parent);
+        if (sg == &_top)
+            state.enterNode();  // what our own state set says does not count
+        else if (sg->getStateSet())
+            state.merge(*sg->getStateSet());
+        return _states.emplace(sg, state).first->second;
+    }
+
+    static unsigned textureBits(const SurfaceState& state)
+    {
+        using S = SurfaceSorter;
+        if (!state.texture()) return S::NO_TEXTURE;
+        static const unsigned modes[] = {0, S::TEXTURE_REPLACE, S::TEXTURE_DECAL, S::TEXTURE_BLEND, S::TEXTURE_ADD};
+        static const unsigned coordinates[] = {0, S::TEXGEN_OBJECT, S::TEXGEN_EYE};
+        unsigned bits = modes[state.textureMode()] | coordinates[state.coordinates()];
+        if (state.coordinates() != SurfaceState::FROM_VERTICES && state.projected()) bits |= S::TEXGEN_PROJECTED;
+        const TextureFacts facts = state.textureFacts();
+        return bits | (facts.linear ? S::LINEAR_TEXTURE : 0u) | (facts.alphaOnly ? S::ALPHA_TEXTURE : 0u);
+    }
+
+    static unsigned variantBits(const SurfaceState& state)
+    {
+        using S = SurfaceSorter;
+        unsigned bits = textureBits(state);
+        if (state.paintedReflection()) bits |= S::PAINTED_REFLECTION;
+        if (state.paintedHighlight()) bits |= S::TEXTURE_ADD;
+        if (state.unlit()) bits |= S::UNLIT;
+        if (state.vertexColored()) bits |= S::VERTEX_COLOR;
+        if (state.phongMaterial()) bits |= S::PHONG_MATERIAL;
+        if (state.twoSided()) bits |= S::TWO_SIDED;
+        if (state.brdf() >= 0) bits |= unsigned(S::ENVLIGHT_LAMBERT) << state.brdf();
+        return bits;
+    }
+
+    void place(osgUtil::RenderLeaf& leaf, osgUtil::StateGraph* sg, const SurfaceState& state, unsigned bits, bool blends,
+               osgUtil::RenderBin::StateGraphList& kept, osgUtil::RenderBin* to)
+    {
+        const osg::Geometry* geometry = geometryOf(leaf);
+        const unsigned all = bits | (lacksNormals(geometry) ? unsigned(SurfaceSorter::FACE_NORMAL) : 0u);
+        const bool foreign = leaf._projection.get() != _places.projection;
+        if (!foreign && !blends && !state.drawnForward(geometry)) return keep(leaf, sg, state, all, kept);
+        const char* unsupported = foreign ? nullptr : state.unsupported(geometry);
+        moveForward(leaf, sg, all, !foreign && !unsupported && state.litForward(), to);
+        if (unsupported) _sorter.say(unsupported, "drawn as without the node, not lit by the environment", leaf._drawable);
+    }
+
+    // One level down, under the variant that reads its state.
+    void keep(osgUtil::RenderLeaf& leaf, osgUtil::StateGraph* sg, const SurfaceState& state, unsigned bits,
+              osgUtil::RenderBin::StateGraphList& kept)
+    {
+        if ((bits & SurfaceSorter::PHONG_MATERIAL) || state.brdf() == Material::PHONG) kinds.phong = true;
+        const bool metal = (bits & SurfaceSorter::PAINTED_REFLECTION) && state.brdf() < 0;
+        if (metal || state.brdf() == Material::COOK_TORRANCE) kinds.cookTorrance = true;
+        ++kinds.deferred;
+        osgUtil::StateGraph* n = sg->find_or_insert(_sorter.variant(bits));
+        if (n->leaves_empty()) kept.push_back(n);
+        n->addLeaf(&leaf);
+    }
+
+    // The same path, rooted beside our state set instead of below it, and below the forward one where that lights it.
+    void moveForward(osgUtil::RenderLeaf& leaf, osgUtil::StateGraph* sg, unsigned bits, bool isLit, osgUtil::RenderBin* to)
+    {
+        ++kinds.forward;
+        if (!to) return;
+        const osg::StateSet* lit = isLit ? _lit() : nullptr;
+        if (lit) ++kinds.litForward;
+        osgUtil::StateGraph* n = transplanted(sg, &_top, lit ? _top._parent->find_or_insert(lit) : _top._parent);
+        if (lit) n = n->find_or_insert(_sorter.variant(bits));
+        if (n->leaves_empty()) _places.moved.push_back({to, n});
+        n->addLeaf(&leaf);
+    }
+
+    SurfaceSorter& _sorter;
+    const SurfaceSorter::Places& _places;
+    osgUtil::StateGraph& _top;
+    const SurfaceSorter::LitState& _lit;
+    std::unordered_map<const osgUtil::StateGraph*, SurfaceState> _states;
+};
+
+const osg::StateSet* SurfaceSorter::variant(unsigned bits)
+{
+    static const char* const defines[] = {"NO_TEXTURE",       "LINEAR_TEXTURE",   "TEXTURE_REPLACE",       "TEXTURE_DECAL",
+                                          "TEXTURE_BLEND",    "TEXTURE_ADD",      "ALPHA_TEXTURE",         "TEXGEN_OBJECT",
+                                          "TEXGEN_EYE",       "TEXGEN_PROJECTED", "PAINTED_REFLECTION",    "UNLIT",
+                                          "VERTEX_COLOR",     "FACE_NORMAL",      "PHONG_MATERIAL",        "TWO_SIDED",
+                                          "ENVLIGHT_LAMBERT", "ENVLIGHT_PHONG",   "ENVLIGHT_COOK_TORRANCE"};
+    std::lock_guard<std::mutex> lock(_mutex);
+    osg::ref_ptr<osg::StateSet>& stateSet = _variants[bits];
+    if (!stateSet) {
+        stateSet = new osg::StateSet;
+        for (unsigned i = 0; i < std::size(defines); ++i)
+            if (bits >> i & 1) stateSet->setDefine(defines[i]);
+    }
+    return stateSet.get();
+}
+
+void SurfaceSorter::say(const char* what, const char* how, const osg::Drawable* drawable)
+{
+    {
+        std::lock_guard<std::mutex> lock(_mutex);
+        if (!_said.insert(what).second) return;
+    }
+    std::string first;
+    if (drawable && drawable->getNumParents() > 0 && drawable->getName().empty()) first = drawable->getParent(0)->getName();
+    if (drawable && first.empty()) first = drawable->getName();
+    OSG_NOTICE << "osgEnvLight: " << what << ": " << how << (first.empty() ? "" : " (first '" + first + "')") << std::endl;
+}
+
+SurfaceKinds SurfaceSorter::sort(const Places& places, const LitState& lit)
+{
+    SurfaceSort sort(*this, places, lit);
+    sort.sortBin(places.gbuffer, places.forward, false);
+    return sort.kinds;
+}
+
+void SurfaceSorter::release(osgUtil::RenderStage& stage, const osg::StateSet& ours)
+{
+    releaseBin(stage, ours);
+    for (auto& [order, before] : stage.getPreRenderList()) release(*before, ours);
+    for (auto& [order, after] : stage.getPostRenderList()) release(*after, ours);
+}
+
+}  // namespace osgEnvLight

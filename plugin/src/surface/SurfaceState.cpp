@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: MIT
+#include "surface/SurfaceState.h"
+
+#include <osgEnvLight/Material>
+
+#include <osg/BlendEquation>
+#include <osg/BlendFunc>
+#include <osg/ColorMask>
+#include <osg/LightModel>
+#include <osg/TexEnv>
+#include <osg/TexGen>
+#include <osg/TextureRectangle>
+
+#include <algorithm>
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+const GLenum textureTargets[] = {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_RECTANGLE};
+
+bool isTextureTarget(GLenum mode)
+{
+    return std::find(std::begin(textureTargets), std::end(textureTargets), mode) != std::end(textureTargets);
+}
+
+bool onlyPointsAndLines(const osg::Geometry& geometry)
+{
+    bool any = false;
+    for (unsigned i = 0; i < geometry.getNumPrimitiveSets(); ++i) {
+        const GLenum mode = geometry.getPrimitiveSet(i)->getMode();
+        const bool lines = mode == GL_LINES || mode == GL_LINE_STRIP || mode == GL_LINE_LOOP || mode == GL_LINES_ADJACENCY ||
+                           mode == GL_LINE_STRIP_ADJACENCY;
+        if (mode != GL_POINTS && !lines) return false;
+        any = true;
+    }
+    return any;
+}
+
+bool sameDepthRange(const osg::Depth* a, const osg::Depth* b)
+{
+    const double aNear = a ? a->getZNear() : 0.0, aFar = a ? a->getZFar() : 1.0;
+    const double bNear = b ? b->getZNear() : 0.0, bFar = b ? b->getZFar() : 1.0;
+    return aNear == bNear && aFar == bFar;
+}
+
+// Towards the eye or away from it; 0: what keeps something else than the nearest.
+int orderOf(const osg::Depth* depth)
+{
+    if (!depth || depth->getFunction() == osg::Depth::LESS || depth->getFunction() == osg::Depth::LEQUAL) return 1;
+    return depth->getFunction() == osg::Depth::GREATER || depth->getFunction() == osg::Depth::GEQUAL ? -1 : 0;
+}
+
+}  // namespace
+
+const char* const SurfaceState::gbufferDefine = "OSGENVLIGHT_GBUFFER";
+
+bool SurfaceState::wins(unsigned newFlags, unsigned oldFlags)
+{
+    return !(oldFlags & osg::StateAttribute::OVERRIDE) || (newFlags & osg::StateAttribute::PROTECTED);
+}
+
+void SurfaceState::Mode::merge(osg::StateAttribute::GLModeValue value)
+{
+    if ((value & osg::StateAttribute::INHERIT) || !wins(value, flags)) return;
+    on = (value & osg::StateAttribute::ON) != 0;
+    flags = value;
+}
+
+void SurfaceState::Attribute::merge(const osg::StateSet::RefAttributePair* pair)
+{
+    if (!pair || !wins(pair->second, flags)) return;
+    attribute = pair->first.get();
+    flags = pair->second;
+}
+
+void SurfaceState::merge(const osg::StateSet& s)
+{
+    for (const auto& [mode, value] : s.getModeList()) mergeMode(mode, value);
+    for (const auto& [key, pair] : s.getAttributeList())
+        if (key.second == 0) mergeAttribute(key.first, pair);
+    if (!s.getTextureModeList().empty() || !s.getTextureAttributeList().empty()) mergeTextures(s);
+    if (s.getAttribute(osg::StateAttribute::PROGRAM)) _ownProgram = !s.getDefinePair(gbufferDefine);
+    if (!s.getUniformList().empty()) _brdf = Material::brdfOf(s, _brdf);
+}
+
+void SurfaceState::mergeMode(osg::StateAttribute::GLMode mode, osg::StateAttribute::GLModeValue value)
+{
+    switch (mode) {
+        case GL_LIGHTING:
+            return _lighting.merge(value);
+        case GL_BLEND:
+            return _blending.merge(value);
+        case GL_SAMPLE_ALPHA_TO_COVERAGE:
+            return _alphaToCoverage.merge(value);
+        case GL_DEPTH_TEST:
+            return _depthTest.merge(value);
+        case GL_STENCIL_TEST:
+            return _stencil.merge(value);
+        case GL_SCISSOR_TEST:
+            return _scissor.merge(value);
+        case GL_COLOR_LOGIC_OP:
+            return _logicOp.merge(value);
+        case GL_FOG:
+            return _fog.merge(value);
+        case GL_VERTEX_PROGRAM_ARB:
+            return _vertexProgram.merge(value);
+        case GL_FRAGMENT_PROGRAM_ARB:
+            return _fragmentProgram.merge(value);
+        default:
+            return;
+    }
+}
+
+void SurfaceState::mergeAttribute(osg::StateAttribute::Type type, const osg::StateSet::RefAttributePair& pair)
+{
+    switch (type) {
+        case osg::StateAttribute::MATERIAL:
+            return _material.merge(pair);
+        case osg::StateAttribute::DEPTH:
+            return _depth.merge(pair);
+        case osg::StateAttribute::BLENDFUNC:
+            return _blendFunction.merge(pair);
+        case osg::StateAttribute::BLENDEQUATION:
+            return _blendEquation.merge(pair);
+        case osg::StateAttribute::COLORMASK:
+            return _colorMask.merge(pair);
+        case osg::StateAttribute::LIGHTMODEL:
+            return _lightModel.merge(pair);
+        default:
+            return;
+    }
+}
+
+void SurfaceState::mergeTextures(const osg::StateSet& s)
+{
+    const auto& modes = s.getTextureModeList();
+    for (unsigned unit = 0; unit < modes.size() && unit <= laterUnits; ++unit)
+        for (const auto& [mode, value] : modes[unit]) {
+            if (unit == 0 && mode >= GL_TEXTURE_GEN_S && mode <= GL_TEXTURE_GEN_Q) _texGen[mode - GL_TEXTURE_GEN_S].merge(value);
+            if (!isTextureTarget(mode)) continue;
+            (unit > 0 ? _units[unit - 1].texturing : mode == GL_TEXTURE_2D ? _texturing : _otherTarget).merge(value);
+        }
+    const auto& attributes = s.getTextureAttributeList();
+    for (unsigned unit = 0; unit < attributes.size() && unit <= laterUnits; ++unit)
+        for (const auto& [key, pair] : attributes[unit]) {
+            if (key.first == osg::StateAttribute::TEXTURE) (unit > 0 ? _units[unit - 1].texture : _texture).merge(pair);
+            if (unit == 0 && key.first == osg::StateAttribute::TEXENV) _texEnv.merge(pair);
+            if (unit == 0 && key.first == osg::StateAttribute::TEXGEN) _texGenMode.merge(pair);
+        }
+}
+
+void SurfaceState::enterNode()
+{
+    _ownProgram = false;
+    for (Mode* m : {&_stencil, &_scissor, &_logicOp, &_vertexProgram, &_fragmentProgram}) m->on = false;
+    _colorMask.attribute = nullptr;
+    _nodeDepth = _depth.as<osg::Depth>();
+}
+
+const osg::Texture* SurfaceState::texture() const
+{
+    if (!_texturing.on || paintedReflection()) return nullptr;
+    const auto* t = _texture.as<osg::Texture>();
+    return t && SurfaceFacts::hasTexels(*t) ? t : nullptr;
+}
+
+bool SurfaceState::paintedReflection() const
+{
+    const auto* gen = _texGen[0].on ? _texGenMode.as<osg::TexGen>() : nullptr;
+    const bool mapped = gen && (gen->getMode() == osg::TexGen::SPHERE_MAP || gen->getMode() == osg::TexGen::REFLECTION_MAP ||
+                                gen->getMode() == osg::TexGen::NORMAL_MAP);
+    const auto* t = mapped && (_texturing.on || _otherTarget.on) ? _texture.as<osg::Texture>() : nullptr;
+    return t && SurfaceFacts::hasTexels(*t);
+}
+
+bool SurfaceState::paintedHighlight() const
+{
+    const auto* env = paintedReflection() ? _texEnv.as<osg::TexEnv>() : nullptr;
+    return env && env->getMode() == osg::TexEnv::ADD;
+}
+
+SurfaceState::TextureMode SurfaceState::textureMode() const
+{
+    const auto* env = texture() ? _texEnv.as<osg::TexEnv>() : nullptr;
+    switch (env ? env->getMode() : osg::TexEnv::MODULATE) {
+        case osg::TexEnv::REPLACE:
+            return TEXTURE_REPLACES;
+        case osg::TexEnv::DECAL:
+            return TEXTURE_DECAL;
+        case osg::TexEnv::BLEND:
+            return TEXTURE_BLENDS;
+        case osg::TexEnv::ADD:
+            return TEXTURE_ADDS;
+        default:
+            return TEXTURE_MODULATES;
+    }
+}
+
+SurfaceState::Coordinates SurfaceState::coordinates() const
+{
+    const auto* gen = _texGen[0].on && texture() ? _texGenMode.as<osg::TexGen>() : nullptr;
+    if (!gen) return FROM_VERTICES;
+    return gen->getMode() == osg::TexGen::OBJECT_LINEAR ? FROM_OBJECT : FROM_EYE;
+}
+
+TextureFacts SurfaceState::textureFacts() const
+{
+    const osg::Texture* t = texture();
+    if (!t) return TextureFacts();
+    return _facts ? _facts->of(*t) : SurfaceFacts::measure(*t);
+}
+
+bool SurfaceState::vertexColored() const
+{
+    const osg::Material* m = osgMaterial();
+    const bool colorMode =
+        m && (m->getColorMode() == osg::Material::DIFFUSE || m->getColorMode() == osg::Material::AMBIENT_AND_DIFFUSE);
+    return _brdf < 0 && (unlit() || !m || colorMode);
+}
+
+bool SurfaceState::phongMaterial() const
+{
+    if (_brdf >= 0 || unlit() || !osgMaterial() || paintedReflection()) return false;
+    const osg::Vec4& s = osgMaterial()->getSpecular(osg::Material::FRONT);
+    return s.r() > 0.0f || s.g() > 0.0f || s.b() > 0.0f;
+}
+
+bool SurfaceState::twoSided() const
+{
+    const auto* model = _lightModel.as<osg::LightModel>();
+    const osg::Material* m = osgMaterial();
+    if (!model || !model->getTwoSided() || !m || _brdf >= 0 || unlit()) return false;
+    return !m->getDiffuseFrontAndBack() || !m->getSpecularFrontAndBack() || !m->getEmissionFrontAndBack() ||
+           !m->getShininessFrontAndBack();
+}
+
+bool SurfaceState::translucent(const osg::Geometry* geometry) const
+{
+    if (_texturing.on && textureMode() != TEXTURE_DECAL && textureFacts().translucent) return true;
+    const osg::Material* m = osgMaterial();
+    if (!vertexColored()) return m && m->getDiffuse(osg::Material::FRONT).a() < 1.0f;
+    const osg::Array* colors = geometry ? geometry->getColorArray() : nullptr;
+    return colors && (_facts ? _facts->isTranslucent(*colors) : SurfaceFacts::measure(*colors));
+}
+
+bool SurfaceState::blended(const osg::Geometry* geometry) const
+{
+    return (_blending.on || _alphaToCoverage.on) && translucent(geometry);
+}
+
+bool SurfaceState::depthWritten() const
+{
+    const auto* depth = _depth.as<osg::Depth>();
+    return !depth || depth->getWriteMask();
+}
+
+bool SurfaceState::atFarPlane() const
+{
+    const auto* depth = _depth.as<osg::Depth>();
+    return depth && depth->getZNear() == depth->getZFar();
+}
+
+bool SurfaceState::drawnForward(const osg::Geometry* geometry) const
+{
+    return _ownProgram || !storesDepth() || blended(geometry) || unsupported(geometry);
+}
+
+bool SurfaceState::usesLaterUnits() const
+{
+    return std::any_of(_units.begin(), _units.end(), [](const Unit& unit) {
+        const auto* t = unit.texturing.on ? unit.texture.as<osg::Texture>() : nullptr;
+        return t && SurfaceFacts::hasTexels(*t);
+    });
+}
+
+// By what its alpha leaves, in the two forms that draw an opaque surface as without blending.
+SurfaceState::Blending SurfaceState::blendingKind() const
+{
+    const auto* function = _blendFunction.as<osg::BlendFunc>();
+    const auto* equation = _blendEquation.as<osg::BlendEquation>();
+    if (equation && equation->getEquation() != osg::BlendEquation::FUNC_ADD) return BLENDS_OTHERWISE;
+    if (!_blendFunction.attribute) return BLENDS_BY_ALPHA;
+    if (!function) return BLENDS_OTHERWISE;
+    const GLenum source = function->getSource(), destination = function->getDestination();
+    if (source == osg::BlendFunc::SRC_ALPHA && destination == osg::BlendFunc::ONE_MINUS_SRC_ALPHA) return BLENDS_BY_ALPHA;
+    if (source == osg::BlendFunc::ONE && destination == osg::BlendFunc::ONE_MINUS_SRC_ALPHA) return BLENDS_PREMULTIPLIED;
+    return source == osg::BlendFunc::ONE && destination == osg::BlendFunc::ZERO ? BLENDS_BY_ALPHA : BLENDS_OTHERWISE;
+}
+
+bool SurfaceState::casts(const osg::Geometry* geometry) const
+{
+    if (_stencil.on || _logicOp.on || _colorMask.attribute || (_blending.on && blendingKind() == BLENDS_OTHERWISE)) return false;
+    return depthTested() && (depthWritten() || blended(geometry));
+}
+
+const char* SurfaceState::unsupportedRaster(const osg::Geometry* geometry) const
+{
+    if (_vertexProgram.on || _fragmentProgram.on) return "ARB vertex and fragment programs";
+    if (_stencil.on) return "the stencil test";
+    if (_scissor.on) return "the scissor test";
+    if (_logicOp.on) return "logic operations";
+    if (_colorMask.attribute) return "colour masks";
+    const Blending blending = _blending.on ? blendingKind() : BLENDS_BY_ALPHA;
+    if (blending == BLENDS_OTHERWISE || (blending == BLENDS_PREMULTIPLIED && translucent(geometry)))
+        return "blending other than by alpha";
+    const auto* depth = _depth.as<osg::Depth>();
+    // What writes no depth is drawn forward, where all tests are as without us.
+    if (storesDepth() && (orderOf(depth) == 0 || orderOf(depth) != orderOf(_nodeDepth) || !sameDepthRange(depth, _nodeDepth)))
+        return "depth tests for other than the nearest, and depth ranges";
+    return nullptr;
+}
+
+const char* SurfaceState::unsupportedTexture() const
+{
+    if (usesLaterUnits()) return "texture units beyond the first";
+    if (paintedReflection()) return nullptr;
+    const auto* t = _texture.as<osg::Texture>();
+    if (_otherTarget.on && t && t->getTextureTarget() != GL_TEXTURE_2D && SurfaceFacts::hasTexels(*t))
+        return "textures other than Texture2D";
+    if (!texture()) return nullptr;
+    if (_texEnv.attribute && !_texEnv.as<osg::TexEnv>()) return "texture environments that combine";
+    if (!_texGen[0].on && !_texGen[1].on) return nullptr;
+    const auto* gen = _texGenMode.as<osg::TexGen>();
+    const bool linear = gen && (gen->getMode() == osg::TexGen::OBJECT_LINEAR || gen->getMode() == osg::TexGen::EYE_LINEAR);
+    return linear && _texGen[0].on && _texGen[1].on ? nullptr : "texture coordinates that are generated in part";
+}
+
+const char* SurfaceState::unsupported(const osg::Geometry* geometry) const
+{
+    if (_ownProgram) return nullptr;
+    if (geometry && onlyPointsAndLines(*geometry)) return "points and lines";
+    const char* what = unsupportedRaster(geometry);
+    // A BRDF of ours says what the surface is, whatever fixed-function texturing is there beside it.
+    return what || _brdf >= 0 ? what : unsupportedTexture();
+}
+
+const char* SurfaceState::ignored() const
+{
+    return _fog.on ? "fog" : nullptr;
+}
+
+}  // namespace osgEnvLight

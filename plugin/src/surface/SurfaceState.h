@@ -1,0 +1,159 @@
+/* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
+#pragma once
+
+#include <osgEnvLight/Export>
+#include "surface/SurfaceFacts.h"
+
+#include <osg/Depth>
+#include <osg/Geometry>
+#include <osg/Material>
+#include <osg/StateSet>
+#include <osg/Texture>
+
+#include <array>
+
+namespace osgEnvLight
+{
+
+/** What the state sets above a drawable say of its surface, where GLSL can't see it, merged as osg::State does: OVERRIDE,
+ * PROTECTED and INHERIT count. What each of it means is decided here and nowhere else.*/
+class OSGENVLIGHT_EXPORT SurfaceState
+{
+  public:
+    /** @param facts  what is remembered of textures and colours; null: they are read at each question */
+    explicit SurfaceState(SurfaceFacts* facts = nullptr) : _facts(facts) {}
+
+    /** Whether what a state set says, with these flags, takes the place of what one above it said. */
+    static bool wins(unsigned newFlags, unsigned oldFlags);
+
+    /** A mode or attribute as it stands after a path of state sets, with the flags it was set with. */
+    struct Mode {
+        bool on = false;
+        unsigned flags = 0;
+        void merge(osg::StateAttribute::GLModeValue value);
+    };
+    struct Attribute {
+        const osg::StateAttribute* attribute = nullptr;
+        unsigned flags = 0;
+        void merge(const osg::StateSet::RefAttributePair* pair);
+        void merge(const osg::StateSet::RefAttributePair& pair) { merge(&pair); }
+        template <class T>
+        const T* as() const
+        {
+            return dynamic_cast<const T*>(attribute);
+        }
+    };
+
+    /** Define that, ON in the state set of a Program of the user's, says it writes the G-buffer's outputs itself. */
+    static const char* const gbufferDefine;
+
+    /** The next state set on the way down. */
+    void merge(const osg::StateSet& stateSet);
+    /** What was said so far acts on the composite, not on single surfaces: programs, stencil, scissor, colour masks. */
+    void enterNode();
+
+    /** Of the BRDF that our Material chose, -1 without one. */
+    int brdf() const { return _brdf; }
+    /** Null without one. */
+    const osg::Material* osgMaterial() const { return static_cast<const osg::Material*>(_material.attribute); }
+    /** Of unit 0; null where it is off, has no texels, or paints a reflection that the lighting now makes itself. */
+    const osg::Texture* texture() const;
+    /** How unit 0 combines it with the colour below. */
+    enum TextureMode { TEXTURE_MODULATES, TEXTURE_REPLACES, TEXTURE_DECAL, TEXTURE_BLENDS, TEXTURE_ADDS };
+    TextureMode textureMode() const;
+    /** Of unit 0; null where nothing is said. */
+    const osg::StateAttribute* textureEnvironment() const { return _texEnv.attribute; }
+    /** Where unit 0's coordinates come from. */
+    enum Coordinates { FROM_VERTICES, FROM_OBJECT, FROM_EYE };
+    Coordinates coordinates() const;
+    /** Their fourth is generated, too. */
+    bool projected() const { return _texGen[3].on; }
+    TextureFacts textureFacts() const;
+    /** A sphere or cube map stands for a reflection: the surface is taken for polished metal of its colour. */
+    bool paintedReflection() const;
+    /** It adds to the surface's colour: the surface is taken for polished, not for metal. */
+    bool paintedHighlight() const;
+    /** GL_LIGHTING is off: the colour is what leaves the surface. */
+    bool unlit() const { return !_lighting.on && _brdf < 0; }
+    /** The colour is the vertices' instead of the material's. */
+    bool vertexColored() const;
+    /** The osg::Material has a lobe. */
+    bool phongMaterial() const;
+    /** Back faces have a material of their own. */
+    bool twoSided() const;
+
+    bool ownProgram() const { return _ownProgram; }
+    /** Not for a G-buffer: blended, or drawn by the user's own program or against the depth buffer's rules. */
+    bool drawnForward(const osg::Geometry* geometry) const;
+    /** What of its state no pass of ours draws, so that it is drawn exactly as without the node; null if nothing is. */
+    const char* unsupported(const osg::Geometry* geometry) const;
+    /** What of its state is left out of its lit picture; null if nothing is. */
+    const char* ignored() const;
+    /** The environment lights it where it is drawn forward, unless it is unsupported. */
+    bool litForward() const { return !_ownProgram && _lighting.on; }
+    /** Whether the depth buffer decides if it is seen, and learns of it. */
+    bool depthTested() const { return _depthTest.on; }
+    bool depthWritten() const;
+    /** All its depths are the far plane's, as a sky's. */
+    bool atFarPlane() const;
+    /** It stands in the scene: what lies behind it is hidden by the depth buffer. */
+    bool storesDepth() const { return depthTested() && depthWritten() && !atFarPlane(); }
+    /** Blended by its alpha. */
+    bool blended(const osg::Geometry* geometry) const;
+    /** Whether blending is on, whatever its alpha. */
+    bool blending() const { return _blending.on; }
+    /** False for what keeps no depth, as sky domes and overlays do: nothing lies behind it; and for what only changes the
+     * picture behind it. */
+    bool casts(const osg::Geometry* geometry) const;
+
+  protected:
+    SurfaceFacts* facts() const { return _facts; }
+
+  private:
+    // Units beyond 0 that fixed-function state reaches.
+    static constexpr unsigned laterUnits = 7;
+    struct Unit {
+        Mode texturing;
+        Attribute texture;
+    };
+    void mergeMode(osg::StateAttribute::GLMode mode, osg::StateAttribute::GLModeValue value);
+    void mergeAttribute(osg::StateAttribute::Type type, const osg::StateSet::RefAttributePair& pair);
+    void mergeTextures(const osg::StateSet& stateSet);
+    bool translucent(const osg::Geometry* geometry) const;
+    bool usesLaterUnits() const;
+    enum Blending { BLENDS_BY_ALPHA, BLENDS_PREMULTIPLIED, BLENDS_OTHERWISE };
+    Blending blendingKind() const;
+    const char* unsupportedRaster(const osg::Geometry* geometry) const;
+    const char* unsupportedTexture() const;
+
+    SurfaceFacts* _facts;
+    Mode _lighting{true, 0};
+    Mode _blending;
+    Mode _alphaToCoverage;
+    Mode _depthTest{true, 0};
+    Mode _stencil;
+    Mode _scissor;
+    Mode _logicOp;
+    Mode _fog;
+    Mode _vertexProgram;
+    Mode _fragmentProgram;
+    Attribute _material;
+    Attribute _depth;
+    Attribute _blendFunction;
+    Attribute _blendEquation;
+    Attribute _colorMask;
+    Attribute _lightModel;
+    // Unit 0
+    Mode _texturing;
+    Mode _otherTarget;  // than GL_TEXTURE_2D
+    std::array<Mode, 4> _texGen;
+    Attribute _texture;
+    Attribute _texEnv;
+    Attribute _texGenMode;
+    std::array<Unit, laterUnits> _units;
+    const osg::Depth* _nodeDepth = nullptr;
+    bool _ownProgram = false;
+    int _brdf = -1;
+};
+
+}  // namespace osgEnvLight
