@@ -6,6 +6,7 @@
 #include <osgEnvLight/Settings>
 
 #include <osg/Matrixd>
+#include <osg/Viewport>
 
 #include <atomic>
 #include <cstdint>
@@ -35,7 +36,8 @@ class OSGENVLIGHT_EXPORT Accumulation : public osg::Referenced
         double radianceScale = 0.0;
         osg::ref_ptr<const Settings> settings;
         SceneLightList lights;
-        int background = 0;  // that settings.background comes to
+        int background = 0;                          // that settings.background comes to
+        osg::ref_ptr<const osg::Viewport> viewport;  // another one for another size
         osg::ref_ptr<const osg::Referenced> textures;
         uint64_t surfaces = 0;  // surfacesOf()
 

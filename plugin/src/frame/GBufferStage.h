@@ -1,7 +1,7 @@
 /* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
 #pragma once
 
-#include "frame/Pass.h"
+#include "frame/StageDraw.h"
 
 #include <functional>
 
@@ -10,14 +10,14 @@ namespace osgEnvLight
 
 /** A stage that calls back, once, when the whole view has been culled: then the lights of all LightSources are known, also of
  * those behind it in the graph. */
-class GBufferStage : public PassStage
+class GBufferStage : public DrawnStage
 {
   public:
     std::function<void()> afterCull;
 
     void sort() override
     {
-        PassStage::sort();
+        DrawnStage::sort();
         if (afterCull) afterCull();
         afterCull = nullptr;
     }

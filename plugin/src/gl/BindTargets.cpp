@@ -15,15 +15,17 @@ void bindFrameBuffer(osg::State& state, osg::FrameBufferObject& target)
     state.haveAppliedTextureAttribute(state.getActiveTextureUnit(), osg::StateAttribute::TEXTURE);
 }
 
-BindTargets::BindTargets(bool before, osg::FrameBufferObject* target, GpuTimer* timer, Failure* failure)
-    : _before(before), _target(target), _timer(timer), _failure(failure)
+BindTargets::BindTargets(bool before, osg::FrameBufferObject* target, Failure* failure,
+                         const std::shared_ptr<const TimedDraw>& timed)
+    : _before(before), _target(target), _timed(timed), _failure(failure)
 {
 }
 
-void BindTargets::install(osg::Camera& camera, osg::FrameBufferObject* target, GpuTimer* timer, Failure* failure)
+void BindTargets::install(osg::Camera& camera, osg::FrameBufferObject* target, Failure* failure,
+                          const std::shared_ptr<const TimedDraw>& timed)
 {
-    camera.setPreDrawCallback(new BindTargets(true, target, timer, failure));
-    camera.setPostDrawCallback(new BindTargets(false, target, timer, failure));
+    camera.setPreDrawCallback(new BindTargets(true, target, failure, timed));
+    camera.setPostDrawCallback(new BindTargets(false, target, failure, timed));
 }
 
 void BindTargets::operator()(osg::RenderInfo& renderInfo) const
@@ -31,14 +33,14 @@ void BindTargets::operator()(osg::RenderInfo& renderInfo) const
     osg::State& state = *renderInfo.getState();
     const auto* ext = state.get<osg::GLExtensions>();
     if (!_before) {
-        if (_timer) _timer->end(state);
+        if (_timed) _timed->end(state);
         const osg::GraphicsContext* context = state.getGraphicsContext();
         ext->glBindFramebuffer(GL_FRAMEBUFFER_EXT, context ? context->getDefaultFboId() : 0);
         return;
     }
     bindFrameBuffer(state, *_target);
     if (_checked.insert(state.getContextID()).second) check(state);
-    if (_timer) _timer->begin(state);
+    if (_timed) _timed->begin(state);
 }
 
 void BindTargets::check(osg::State& state) const

@@ -3,11 +3,12 @@
 
 #include <osgEnvLight/Export>
 #include "base/Failure.h"
-#include "gl/GpuTimer.h"
+#include "gl/FrameTimer.h"
 
 #include <osg/Camera>
 #include <osg/FrameBufferObject>
 
+#include <memory>
 #include <set>
 
 namespace osgEnvLight
@@ -21,19 +22,21 @@ OSGENVLIGHT_EXPORT void bindFrameBuffer(osg::State& state, osg::FrameBufferObjec
 class OSGENVLIGHT_EXPORT BindTargets : public osg::Camera::DrawCallback
 {
   public:
-    /** A pre-draw and a post-draw callback on camera. timer may be null. */
-    static void install(osg::Camera& camera, osg::FrameBufferObject* target, GpuTimer* timer, Failure* failure);
+    /** A pre-draw and a post-draw callback on camera.
+     * @param timed  measures what is drawn between them; null: nothing does */
+    static void install(osg::Camera& camera, osg::FrameBufferObject* target, Failure* failure,
+                        const std::shared_ptr<const TimedDraw>& timed = nullptr);
 
     void operator()(osg::RenderInfo& renderInfo) const override;
 
   private:
-    BindTargets(bool before, osg::FrameBufferObject* target, GpuTimer* timer, Failure* failure);
+    BindTargets(bool before, osg::FrameBufferObject* target, Failure* failure, const std::shared_ptr<const TimedDraw>& timed);
 
     void check(osg::State& state) const;
 
     const bool _before;
     const osg::ref_ptr<osg::FrameBufferObject> _target;
-    const osg::ref_ptr<GpuTimer> _timer;
+    const std::shared_ptr<const TimedDraw> _timed;
     const osg::ref_ptr<Failure> _failure;
     mutable std::set<unsigned> _checked;  // contexts, in whose draw thread alone; a query would make each frame wait for the GPU
 };

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "node/DeferredTechnique.h"
 
+#include "node/HostState.h"
+#include "surface/AlbedoTable.h"
+
 #include <osgEnvLight/LitScene>
 
 #include <osg/FrameStamp>
@@ -26,7 +29,7 @@ bool isDepthOnly(const osg::Camera* camera)
     return true;
 }
 
-unsigned contextOf(osgUtil::CullVisitor& cv)
+unsigned contextID(osgUtil::CullVisitor& cv)
 {
     return cv.getState() ? cv.getState()->getContextID() : 0;
 }
@@ -47,7 +50,7 @@ bool DeferredTechnique::cull(LitScene& node, osgUtil::CullVisitor& cv)
 try {
     osgUtil::RenderBin* hostBin = cv.getCurrentRenderBin();
     osgUtil::RenderStage* host = hostBin ? hostBin->getStage() : nullptr;
-    if (!host || _failure->happened(contextOf(cv))) return false;
+    if (!host || _failure->happened(contextID(cv))) return false;
     const osg::Viewport* viewport = host->getViewport();
     if (!viewport || !(viewport->width() >= 1.0) || !(viewport->height() >= 1.0)) return false;
     if (isDepthOnly(host->getCamera()) || dynamic_cast<const StageCamera*>(host->getCamera())) return false;
@@ -56,71 +59,97 @@ try {
     const osg::ref_ptr<const Settings> settings = currentSettings(node);
     const osg::ref_ptr<MapTextures> textures = currentTextures(node, *settings, cv);
     if (!textures) return false;
-    const osg::ref_ptr<ViewData> held = &view(cv, *host);  // its context may end
-    ViewData& vd = *held;
-    vd.fit(int(viewport->width()), int(viewport->height()), textures.get());
-    GBuffer& gbuffer = node.getGBuffer() ? *node.getGBuffer() : vd.gbuffer();
-    if (gbuffer.width != vd.width() || gbuffer.height != vd.height()) {
-        reportOnce("the G-buffer is " + std::to_string(gbuffer.width) + "x" + std::to_string(gbuffer.height) +
-                   ", expected the view's " + std::to_string(vd.width()) + "x" + std::to_string(vd.height()) +
-                   "; the scene is shown unlit");
-        return false;
-    }
-    const double degrees = node.getEnvironmentMap()->getRotation();
-    const double radianceScale = textures->map().mean * node.getEnvironmentMap()->getIntensity();
-    Cull c{vd,
-           vd.frame(&cv),
-           *host,
-           *settings,
-           gbuffer,
-           osg::Matrixd::rotate(osg::DegreesToRadians(-degrees), 0, 0, 1),
-           radianceScale,
-           node.isTimed(),
-           !node.getGBuffer(),
-           textures->exposure()};
-    const double radius = node.getBound().valid() ? double(node.getBound().radius()) : 0.0;
-    const osg::Matrixd worldFromEye =
-        host->getInitialViewMatrix() ? osg::Matrixd::inverse(*host->getInitialViewMatrix()) : osg::Matrixd();
-    c.worldFromEye = worldFromEye;
-    if (c.ownGBuffer) c.depth = DepthConvention::of(*cv.getCurrentStateGraph());
-    c.frame.setUniforms(*settings, radius, radianceScale, *textures, worldFromEye * c.mapFromWorld, c.baseStops());
-    const bool sunny = FramePlan::wantsSunShadows(*settings) && radianceScale > 0.0 && !textures->suns().empty();
+    const osg::ref_ptr<LitView> held = &view(node, cv, *host);  // its context may end
+    LitView& vd = *held;
+    vd.fit(int(viewport->width()), int(viewport->height()));
+    GBuffer* gbuffer = gbufferOf(node, vd);
+    if (!gbuffer) return false;
+    FrameContext c = contextOf(node, vd, *settings, *textures, *gbuffer, cv, *host);
+    const bool sunny = Decisions::wantsSunMaps(*settings) && !c.facts.mapIsBlack && !textures->suns().empty();
+    if (c.facts.ownGBuffer) vd.gbufferPass->prepareFrame(c);
     lock.unlock();
 
     std::vector<ForwardGraph> forward;
-    fillGBuffer(c, node, cv, forward);
-    const std::string behind = chooseBackground(c, forward);
-    findLights(c, forward);
+    if (c.facts.ownGBuffer) {
+        c.facts.surfaces = vd.gbufferPass->cull(
+            c, [&] { node.osg::Group::traverse(cv); }, forward);
+    } else {
+        node.osg::Group::traverse(cv);
+        c.facts.surfaces = {true, true, 1, 0};
+    }
+    chooseBackground(c, forward);
+    findLights(c, vd, forward, [&](const std::string& message) {
+        std::lock_guard<std::mutex> guard(_mutex);
+        reportOnce(message, osg::NOTICE);
+    });
+    c.facts.sceneLights = c.lights.size();
 
-    const bool shows = vd.plan.surfaces.deferred + vd.plan.surfaces.litForward > 0;
-    const bool needed = settings->diffuse && radianceScale > 0.0 && shows;
-    if ((needed && FramePlan::wantsAtlas(*settings)) || (sunny && shows))
-        c.casters = CasterCollector(cv, worldFromEye, vd.casterStates, _facts.get()).collect(node);
-
-    c.away = !shows && radius > 0.0;
-    if (!c.away) CasterCollector::forgetUnused(vd.casterStates, c.casters);
+    const bool shows = c.facts.surfaces.deferred + c.facts.surfaces.litForward > 0;
+    const bool needsCarrier = settings->diffuse && !c.facts.mapIsBlack && shows;
+    if ((needsCarrier && Decisions::wantsAtlas(*settings)) || (sunny && shows))
+        c.casters = CasterCollector(cv, c.worldFromEye, vd.casterStates, _facts.get()).collect(node);
+    c.facts.casters = c.casters.size();
+    c.showsNothing = !shows && c.facts.sceneRadius > 0.0;
+    if (!c.showsNothing) CasterCollector::forgetUnused(vd.casterStates, c.casters);
 
     lock.lock();
-    const DiffuseCarrier carrier = needed ? textures->carrier() : DiffuseCarrier();
-    vd.plan = FramePlan::make(*settings, vd.plan.surfaces, radianceScale <= 0.0, radius, carrier, textures->sunShare(),
-                              c.casters.size(), c.ownGBuffer);
-    vd.plan.decideSceneLights(*settings, c.lights.size(), c.ownGBuffer);
-    vd.plan.passes.back().reason += ", " + behind;  // of the composite
-    addAtlas(c, cv);
-    advanceStillView(c, cv);
-    addSunMaps(c, cv);
-    addPasses(c, cv);
-    addComposite(c, cv);
-    if (vd.plan.surfaces.litForward > 0) setForwardState(c);
+    light(c, vd, needsCarrier);
     for (const ForwardGraph& f : forward) f.bin->addStateGraph(f.graph);
+    return true;
+} catch (const std::runtime_error& error) {
+    _failure->report(contextID(cv), error.what());
+    return false;
+}
+
+// The application's, or the view's own; null if it does not fit the view.
+GBuffer* DeferredTechnique::gbufferOf(LitScene& node, LitView& vd)
+{
+    GBuffer* gbuffer = node.getGBuffer() ? node.getGBuffer() : &vd.gbuffer();
+    if (gbuffer->width == vd.width() && gbuffer->height == vd.height()) return gbuffer;
+    reportOnce("the G-buffer is " + std::to_string(gbuffer->width) + "x" + std::to_string(gbuffer->height) +
+               ", expected the view's " + std::to_string(vd.width()) + "x" + std::to_string(vd.height()) +
+               "; the scene is shown unlit");
+    return nullptr;
+}
+
+FrameContext DeferredTechnique::contextOf(LitScene& node, LitView& vd, const Settings& settings, MapTextures& textures,
+                                          GBuffer& gbuffer, osgUtil::CullVisitor& cv, osgUtil::RenderStage& host)
+{
+    FrameContext c{cv,      host,      vd.frame(&cv),  settings,      textures,
+                   gbuffer, *_library, vd.atlasLights, vd.viewport(), albedoTable(),
+                   this,    nullptr,   vd.number()};
+    vd.timed = node.isTimed();
+    if (vd.timed) c.timer = vd.timer.get();
+    const EnvironmentMap& map = *node.getEnvironmentMap();
+    c.mapFromWorld = osg::Matrixd::rotate(osg::DegreesToRadians(-map.getRotation()), 0, 0, 1);
+    if (host.getInitialViewMatrix()) c.worldFromEye = osg::Matrixd::inverse(*host.getInitialViewMatrix());
+    c.radianceScale = textures.map().mean * map.getIntensity();
+    const bool follows = settings.output == Settings::DISPLAY && settings.exposureBase == Settings::EXPOSURE_MAP;
+    c.baseStops = follows ? textures.exposure() : 0.0;
+    c.facts.ownGBuffer = !node.getGBuffer();
+    c.facts.mapIsBlack = c.radianceScale <= 0.0;
+    c.facts.sceneRadius = node.getBound().valid() ? double(node.getBound().radius()) : 0.0;
+    if (c.facts.ownGBuffer) c.depth = DepthConvention::of(*cv.getCurrentStateGraph());
+    c.frame.setUniforms(settings, c.facts.sceneRadius, c.radianceScale, textures, c.worldFromEye * c.mapFromWorld, c.baseStops);
+    return c;
+}
+
+void DeferredTechnique::light(FrameContext& c, LitView& vd, bool needsCarrier)
+{
+    if (needsCarrier) c.facts.carrier = c.textures.carrier();
+    c.facts.suns = c.textures.sunShare();
+    c.decisions = Decisions::make(c.facts, c.settings);
+    vd.graph.run(c);
     vd.forgetUnused(c.frame);
+    _waitingMaps = c.waitingMaps;
+    _drawnSunMaps = c.drawnSunMaps;
+    const bool lights = c.decisions.light.needed && c.facts.surfaces.deferred > 0;
+    vd.plan = {vd.graph.report(), c.facts.surfaces, lights ? c.facts.carrier.lights : 0, c.decisions.occlusionLights,
+               c.decisions.suns.needed ? c.facts.suns.count : 0};
+    vd.still = c.still;
     vd.unsettled = !hasSettled(c);
     vd.seenUpdates = _updates;
     _lastView = &vd;
-    return true;
-} catch (const std::runtime_error& error) {
-    _failure->report(contextOf(cv), error.what());
-    return false;
 }
 
 osg::ref_ptr<const Settings> DeferredTechnique::currentSettings(const LitScene& node)
@@ -193,7 +222,7 @@ void DeferredTechnique::accept(const MapRegenerator::Result& result)
     }
 }
 
-ViewData& DeferredTechnique::view(osgUtil::CullVisitor& cv, osgUtil::RenderStage& host)
+LitView& DeferredTechnique::view(LitScene& node, osgUtil::CullVisitor& cv, osgUtil::RenderStage& host)
 {
     for (auto it = _views.begin(); it != _views.end();) {
         const ViewData& v = *it->second;
@@ -206,15 +235,16 @@ ViewData& DeferredTechnique::view(osgUtil::CullVisitor& cv, osgUtil::RenderStage
     for (auto it = _visits.begin(); it != _visits.end();) it = it->second.cullVisitor.valid() ? std::next(it) : _visits.erase(it);
     Visit& visit = _visits[{&cv, host.getCamera()}];
     if (visit.frame != frame) visit = {&cv, frame, 0};
-    osg::ref_ptr<ViewData>& vd = _views[{identifier, host.getCamera(), cv.getState(), visit.count++}];
+    osg::ref_ptr<LitView>& vd = _views[{identifier, host.getCamera(), cv.getState(), visit.count++}];
     if (!vd) {
-        vd = new ViewData(_failure.get(), _retired.get());
+        vd = new LitView(_failure.get(), _retired.get(), _sorter.get());
+        node.addPasses(vd->graph);
         vd->identifier = identifier;
         vd->camera = host.getCamera();
         vd->hasCamera = host.getCamera() != nullptr;
         vd->context = cv.getState();
         vd->hasContext = cv.getState() != nullptr;
-        vd->contextID = contextOf(cv);
+        vd->contextID = contextID(cv);
     }
     return *vd;
 }
@@ -229,13 +259,13 @@ void DeferredTechnique::reloadShaders()
     std::lock_guard<std::mutex> lock(_mutex);
     _library->reload();
     _failure->clear();
-    for (auto& [key, view] : _views) view->forgetPrograms();
+    for (auto& [key, view] : _views) view->graph.forgetPrograms();
 }
 
-bool DeferredTechnique::hasSettled(const Cull& c) const
+bool DeferredTechnique::hasSettled(const FrameContext& c) const
 {
     const bool converges = c.still && c.still->frames() < unsigned(c.settings.accumulateFrames);
-    return !converges && _waitingMaps == 0 && !_regenerator.busy() && c.view.textures().settled();
+    return !converges && c.waitingMaps == 0 && !_regenerator.busy() && c.textures.settled();
 }
 
 void DeferredTechnique::countUpdate()
@@ -262,24 +292,25 @@ unsigned DeferredTechnique::numViews() const
 Plan DeferredTechnique::plan() const
 {
     std::lock_guard<std::mutex> lock(_mutex);
-    osg::ref_ptr<ViewData> view;
+    osg::ref_ptr<LitView> view;
     if (!_lastView.lock(view)) return Plan();
-    Plan plan = view->plan.report();
-    for (PassReport& report : plan.passes) {
-        const auto timer = view->timers().find(report.pass);
-        if (!report.runs || timer == view->timers().end()) continue;
-        report.gpu = timer->second->gpu();
-        report.cpu = timer->second->cpu();
-    }
+    Plan plan = view->plan;
+    if (!view->timed) return plan;
+    for (const FrameTimer::Time& time : view->timer->finished())
+        for (PassReport& report : plan.passes)
+            if (report.pass == time.pass) {
+                report.gpu = time.gpu;
+                report.cpu = time.cpu;
+            }
     return plan;
 }
 
 Average DeferredTechnique::average() const
 {
     std::lock_guard<std::mutex> lock(_mutex);
-    osg::ref_ptr<ViewData> view;
-    if (!_lastView.lock(view) || !view->still()) return Average();
-    const Accumulation& still = *view->still();
+    osg::ref_ptr<LitView> view;
+    if (!_lastView.lock(view) || !view->still) return Average();
+    const Accumulation& still = *view->still;
     return {still.frames(), still.frames() * Accumulation::lightsPerFrame, still.standardError()};
 }
 
@@ -289,6 +320,19 @@ size_t DeferredTechnique::bytes() const
     size_t sum = (_textures ? _textures->bytes() : 0) + (_albedoTable ? _albedoTable->getImage()->getTotalSizeInBytes() : 0);
     for (const auto& [key, view] : _views) sum += view->bytes();
     return sum + _retired->bytes();
+}
+
+osg::Texture* DeferredTechnique::albedoTable()
+{
+    if (!_albedoTable) {
+        _albedoTable = new osg::Texture2D(albedoTableImage());
+        _albedoTable->setInternalFormat(GL_RG32F);
+        _albedoTable->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR);
+        _albedoTable->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
+        _albedoTable->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
+        _albedoTable->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
+    }
+    return _albedoTable.get();
 }
 
 void DeferredTechnique::resizeGLObjectBuffers(unsigned maximum)

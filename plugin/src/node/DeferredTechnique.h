@@ -6,7 +6,7 @@
 #include "lights/MapRegenerator.h"
 #include "gl/ShaderLibrary.h"
 #include <osgEnvLight/LitScene>
-#include "frame/ViewData.h"
+#include "node/LitView.h"
 
 #include <osg/Notify>
 
@@ -83,123 +83,19 @@ class OSGENVLIGHT_EXPORT DeferredTechnique : public ContextWatch::Listener
         unsigned count = 0;
     };
 
-    // What one cull needs, gathered before it starts.
-    struct Cull {
-        ViewData& view;
-        Frame& frame;
-        osgUtil::RenderStage& host;
-        const Settings& settings;
-        GBuffer& gbuffer;
-        osg::Matrixd mapFromWorld;
-        double radianceScale;  // the map's mean radiance times its intensity
-        bool timed;
-        bool ownGBuffer;  // not the application's
-        double mapStops;  // MapTextures::exposure()
-        std::vector<Caster> casters = {};
-        osg::Matrixd worldFromEye = {};
-        ShadowAtlas* finer = nullptr;         // of the view's neighbourhood; null: its maps are the scene's
-        bool measures = false;                // what the view shows
-        bool away = false;                    // it shows nothing of what there is: the scene's maps wait for it
-        const Accumulation* still = nullptr;  // null where none was asked for
-        osg::Vec2d subpixel = {};
-        DepthConvention depth = {};                // the host's
-        SceneLightList lights = {};                // of the application that are switched on
-        int background = Settings::BACKGROUND_ON;  // never AUTO
-
-        /** The exposure that the picture has before the setting's stops. */
-        double baseStops() const
-        {
-            const bool follows = settings.output == Settings::DISPLAY && settings.exposureBase == Settings::EXPOSURE_MAP;
-            return follows ? mapStops : 0.0;
-        }
-        bool adds() const { return still && still->adds(); }
-        /** A still view's average asks the maps of its own lights. */
-        bool asksSunMaps() const { return !still || still->frames() == 0; }
-        bool shadesSuns() const { return view.plan.sunShadows && asksSunMaps(); }
-        /** Nothing has changed since a view that has all its frames was drawn. */
-        bool rests() const { return still && still->frames() > 0 && !still->adds(); }
-    };
-
-    // Where shadow maps stand in this frame: what a pass that asks them needs.
-    struct ShadowPlaces {
-        osg::StateSet* uniforms = nullptr;
-        osg::Vec3d origin;
-    };
-    struct Sampler {
-        const char* name;
-        osg::Texture* texture;
-    };
-    // What a pass's state set is made from, and known by: it never changes, since a draw thread may be reading it.
-    struct PassInputs {
-        std::vector<std::string> defines;
-        std::vector<Sampler> samplers;
-        std::vector<osg::ref_ptr<osg::Uniform>> uniforms;  // whose values do not change
-        osg::Viewport* viewport = nullptr;                 // the view's
-        bool adds = false;                                 // to what is there
-    };
-
     osg::ref_ptr<const Settings> currentSettings(const LitScene& node);
     osg::ref_ptr<MapTextures> currentTextures(const LitScene& node, const Settings& settings, osgUtil::CullVisitor& cv);
     void regenerate(const MapState& state, const Settings& settings, const std::shared_ptr<const LightList>& lights);
     void accept(const MapRegenerator::Result& result);
-    ViewData& view(osgUtil::CullVisitor& cv, osgUtil::RenderStage& host);
+    LitView& view(LitScene& node, osgUtil::CullVisitor& cv, osgUtil::RenderStage& host);
+    GBuffer* gbufferOf(LitScene& node, LitView& view);
+    FrameContext contextOf(LitScene& node, LitView& view, const Settings& settings, MapTextures& textures, GBuffer& gbuffer,
+                           osgUtil::CullVisitor& cv, osgUtil::RenderStage& host);
+    void light(FrameContext& context, LitView& view, bool needsCarrier);
     void reportOnce(const std::string& message, osg::NotifySeverity severity = osg::WARN);
-    bool hasSettled(const Cull& c) const;
+    bool hasSettled(const FrameContext& context) const;
     template <class Condition>
     void release(osg::State* state, Condition drops) const;
-
-    void fillGBuffer(Cull& c, LitScene& node, osgUtil::CullVisitor& cv, std::vector<ForwardGraph>& forward);
-    static void handOverCameras(Cull& c);
-    std::string chooseBackground(Cull& c, const std::vector<ForwardGraph>& forward) const;
-    void findLights(Cull& c, const std::vector<ForwardGraph>& forward);
-    static void awaitLights(Cull& c);
-    static Target& lightTarget(Cull& c);
-    void addSceneLights(Cull& c, osgUtil::CullVisitor& cv, Target& target);
-    void addPasses(Cull& c, osgUtil::CullVisitor& cv);
-    void addComposite(Cull& c, osgUtil::CullVisitor& cv);
-    void addPass(Cull& c, osgUtil::CullVisitor& cv, const std::string& name, Target& target, osg::StateSet& state,
-                 const ShadowPlaces& places = {nullptr, osg::Vec3d()});
-    void addAtlas(Cull& c, osgUtil::CullVisitor& cv);
-    unsigned refreshAtlas(Cull& c, osgUtil::CullVisitor& cv, const std::string& name, ViewData::Atlas& atlas,
-                          const LightList& list, unsigned budget);
-    ViewData::Atlas& skyAtlas(Cull& c);
-    ViewData::Atlas* finerAtlas(Cull& c, const osg::Matrixd& projection);
-    static void addMaps(PassInputs& inputs, ShadowAtlas& atlas, ShadowAtlas* finer);
-    void addSeenPoints(Cull& c, osgUtil::CullVisitor& cv, Target& points);
-    static ShadowPlaces placesOf(Cull& c, const std::string& name, const ShadowAtlas& atlas, const ShadowAtlas* finer);
-    AtlasRefresh::States mapStates(Cull& c, const std::string& name, const std::string& shader, const ShadowTargets& targets);
-    void addRefresh(Cull& c, osgUtil::CullVisitor& cv, const std::string& name, const std::string& shader, osg::Camera& camera,
-                    const ShadowTargets& targets, const std::vector<ShadowRefresh>& refreshes, std::vector<Caster>&& casters);
-    template <class Lights>
-    static Lights inWorld(const Cull& c, Lights lights)
-    {
-        const osg::Matrixd worldFromMap = osg::Matrixd::inverse(c.mapFromWorld);
-        for (auto& light : lights) {
-            light.direction = light.direction * worldFromMap;
-            light.direction.normalize();
-        }
-        return lights;
-    }
-    void addSunMaps(Cull& c, osgUtil::CullVisitor& cv);
-    void addSunShadows(Cull& c, osgUtil::CullVisitor& cv, Target& seen, Target& visibility);
-    static void addSunVisibility(Cull& c, PassInputs& inputs);
-    Accumulation::Key stillKey(Cull& c, osgUtil::CullVisitor& cv);
-    void advanceStillView(Cull& c, osgUtil::CullVisitor& cv);
-    void addStillPicture(Cull& c, osgUtil::CullVisitor& cv);
-    void addAccumulation(Cull& c, osgUtil::CullVisitor& cv);
-    void addStillError(Cull& c, osgUtil::CullVisitor& cv, Target& average);
-    void addBounce(Cull& c, osgUtil::CullVisitor& cv, Target& blocks, Target& sums);
-    void addLobes(const Cull& c, PassInputs& inputs);
-    PassInputs diffuseTerms(Cull& c);
-    void addOcclusion(Cull& c, osgUtil::CullVisitor& cv, Target& sums, Target& filtered);
-    void prepare(FullScreen& triangle, const osg::StateSet& state, const Cull& c) const;
-    void setForwardState(Cull& c);
-
-    static void bind(osg::StateSet& stateSet, unsigned unit, const Sampler& sampler);
-    osg::StateSet& passState(Cull& c, const std::string& name, const PassInputs& inputs);
-    PassInputs pictureInputs(Cull& c);
-    PassInputs compositeInputs(Cull& c);
-    osg::StateSet& gbufferState(Cull& c);
     osg::Texture* albedoTable();
 
     mutable std::mutex _mutex;
@@ -219,11 +115,11 @@ class OSGENVLIGHT_EXPORT DeferredTechnique : public ContextWatch::Listener
     osg::ref_ptr<osg::Texture2D> _albedoTable;
     osg::ref_ptr<const Settings> _settings;  // the last valid ones
     osg::ref_ptr<RetiredObjects> _retired;
-    mutable std::map<Key, osg::ref_ptr<ViewData>> _views;
+    mutable std::map<Key, osg::ref_ptr<LitView>> _views;
     std::map<std::pair<const osg::Referenced*, const osg::Referenced*>, Visit> _visits;
     std::set<std::string> _reported;
     unsigned _updates = 0;
-    osg::observer_ptr<ViewData> _lastView;
+    osg::observer_ptr<LitView> _lastView;
 };
 
 }  // namespace osgEnvLight

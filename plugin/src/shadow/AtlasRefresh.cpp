@@ -36,8 +36,7 @@ void setUniform(osg::State& state, const char* name, float x)
 
 }  // namespace
 
-AtlasRefresh::AtlasRefresh(const std::string& name, GpuTimer* timer, osg::Vec3Array* vertices)
-    : _timer(timer), _triangle(makeFullScreenTriangle(vertices))
+AtlasRefresh::AtlasRefresh(const std::string& name, osg::Vec3Array* vertices) : _triangle(makeFullScreenTriangle(vertices))
 {
     setName(name);
     setUseDisplayList(false);
@@ -46,7 +45,7 @@ AtlasRefresh::AtlasRefresh(const std::string& name, GpuTimer* timer, osg::Vec3Ar
 }
 
 void AtlasRefresh::prepare(const ShadowTargets& targets, const std::vector<ShadowRefresh>& refreshes,
-                           std::vector<Caster>&& casters, const States& states, bool timed)
+                           std::vector<Caster>&& casters, const States& states, const TimedDraw& timed)
 {
     _targets = targets;
     _states = states;
@@ -86,14 +85,14 @@ bool AtlasRefresh::Map::shows(const osg::BoundingBoxd& bound) const
 void AtlasRefresh::drawImplementation(osg::RenderInfo& renderInfo) const
 {
     osg::State& state = *renderInfo.getState();
-    if (_timed) _timer->begin(state);
+    _timed.begin(state);
     for (size_t begin = 0; begin < _maps.size(); begin += _targets.batch) {
         const size_t end = std::min<size_t>(begin + _targets.batch, _maps.size());
         drawCasters(renderInfo, *_targets.first, *_states.first, begin, end);
         drawCasters(renderInfo, *_targets.second, *_states.second, begin, end);
         storeMidpoints(renderInfo, begin, end);
     }
-    if (_timed) _timer->end(state);
+    _timed.end(state);
     state.haveAppliedAttribute(osg::StateAttribute::VIEWPORT);
     for (unsigned unit = 0; unit < _states.midpoints->getNumTextureAttributeLists(); ++unit)
         state.haveAppliedTextureAttribute(unit, osg::StateAttribute::TEXTURE);

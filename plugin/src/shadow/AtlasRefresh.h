@@ -2,7 +2,7 @@
 #pragma once
 
 #include "surface/CasterCollector.h"
-#include "gl/GpuTimer.h"
+#include "gl/FrameTimer.h"
 #include "shadow/ShadowTargets.h"
 
 #include <osg/Drawable>
@@ -16,14 +16,14 @@ class OSGENVLIGHT_EXPORT AtlasRefresh : public osg::Drawable
 {
   public:
     /** @param vertices  fullScreenVertices() */
-    AtlasRefresh(const std::string& name, GpuTimer* timer, osg::Vec3Array* vertices);
+    AtlasRefresh(const std::string& name, osg::Vec3Array* vertices);
 
     /** The programs' state sets, each with its own depth state and textures; midpoints reads the first two's targets. */
     struct States {
         osg::ref_ptr<osg::StateSet> first, second, midpoints;
     };
     void prepare(const ShadowTargets& targets, const std::vector<ShadowRefresh>& refreshes, std::vector<Caster>&& casters,
-                 const States& states, bool timed);
+                 const States& states, const TimedDraw& timed);
 
     void drawImplementation(osg::RenderInfo& renderInfo) const override;
     osg::BoundingBox computeBoundingBox() const override { return osg::BoundingBox(); }
@@ -48,13 +48,12 @@ class OSGENVLIGHT_EXPORT AtlasRefresh : public osg::Drawable
     void drawRun(osg::RenderInfo& renderInfo, size_t caster, size_t casterEnd, size_t begin, size_t end) const;
     void storeMidpoints(osg::RenderInfo& renderInfo, size_t begin, size_t end) const;
 
-    osg::ref_ptr<GpuTimer> _timer;
     osg::ref_ptr<osg::Geometry> _triangle;
     ShadowTargets _targets;
     States _states;
     std::vector<Placed> _casters;  // those of a state set side by side
     std::vector<Map> _maps;
-    bool _timed = false;
+    TimedDraw _timed;
 };
 
 }  // namespace osgEnvLight

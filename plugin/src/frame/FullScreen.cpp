@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "frame/Pass.h"
+#include "frame/FullScreen.h"
 
 #include <osg/GLExtensions>
 #include <osg/Program>
@@ -49,10 +49,9 @@ class Uploader
 
 }  // namespace
 
-FullScreen::FullScreen(const std::string& name, GpuTimer* timer, osg::Vec3Array* vertices) : _timer(timer)
+FullScreen::FullScreen(osg::Vec3Array* vertices)
 {
-    setName(name);
-    setFullScreenTriangle(*this, vertices ? vertices : fullScreenVertices().get());
+    setFullScreenTriangle(*this, vertices);
 }
 
 void FullScreen::drawImplementation(osg::RenderInfo& renderInfo) const
@@ -74,55 +73,11 @@ void FullScreen::drawImplementation(osg::RenderInfo& renderInfo) const
     upload.vec2("viewportSize", viewport->width(), viewport->height());
     upload.vec2("viewportOrigin", viewport->x(), viewport->y());
     upload.vec2("hostDepth", depth.toHostDepth()[0], depth.toHostDepth()[1]);
-    if (timed) _timer->begin(state);
+    timed.begin(state);
     osg::Geometry::drawImplementation(renderInfo);
-    if (timed) _timer->end(state);
+    timed.end(state);
     // State knows what is bound by its address alone, and would take a later texture at a freed one's for it.
     for (unsigned unit = 0; unit < textureUnits; ++unit) state.haveAppliedTextureAttribute(unit, osg::StateAttribute::TEXTURE);
-}
-
-void prepareStage(PassStage& stage, osgUtil::RenderStage& host, osg::Camera& camera, osg::Viewport& viewport,
-                  GLbitfield clearMask)
-{
-    stage.setPositionalStateContainer(nullptr);  // reset() would empty it, and below it may be the host's
-    stage.reset();
-    // The stage observes its camera, and does not take a new one at a dead one's address for another.
-    stage.setCamera(nullptr);
-    stage.setCamera(&camera);
-    stage.setCameraRequiresSetUp(false);  // its callbacks bind the target: OSG would only print that it sets up a frame buffer
-    stage.ownCamera = &camera;
-    stage.setViewport(&viewport);
-    // State caches one draw buffer for all frame buffers, so none is set here.
-    stage.setDrawBuffer(GL_NONE, false);
-    stage.setReadBuffer(GL_NONE, false);
-    stage.setClearMask(clearMask);
-    stage.setClearColor(osg::Vec4(0, 0, 0, 0));
-    stage.setClearDepth(1.0);
-    stage.setColorMask(nullptr);
-    stage.setInitialViewMatrix(host.getInitialViewMatrix());
-}
-
-Pass::Pass(osg::Drawable* drawable) : _stage(new PassStage), _drawable(drawable)
-{
-    _stage->root = new osgUtil::StateGraph;
-    _stage->setStateGraph(_stage->root.get());
-}
-
-void Pass::add(osgUtil::RenderStage& host, osg::Camera& camera, osg::Viewport& viewport, osg::StateSet& state,
-               osg::StateSet& uniforms, osg::RefMatrix* projection, osg::RefMatrix* modelView)
-{
-    prepareStage(*_stage, host, camera, viewport, 0);
-    _stage->root->clean();
-    _stage->root->prune();  // of the former frame's state sets, which hold textures
-    _added = true;
-    osgUtil::StateGraph* graph = _stage->root->find_or_insert(&state)->find_or_insert(&uniforms);
-    if (!_stage->leaf)
-        _stage->leaf = new osgUtil::RenderLeaf(_drawable.get(), projection, modelView);
-    else
-        _stage->leaf->set(_drawable.get(), projection, modelView);
-    _stage->addStateGraph(graph);
-    graph->addLeaf(_stage->leaf.get());
-    host.addPreRenderStage(_stage.get(), afterHosts);
 }
 
 }  // namespace osgEnvLight

@@ -1,0 +1,41 @@
+/* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
+#pragma once
+
+#include "shadow/ShadowAtlas.h"
+
+#include <osgEnvLight/Export>
+
+#include <map>
+#include <string>
+
+namespace osgEnvLight
+{
+
+/** The lights of a view's shadow atlases as textures (ShadowAtlas::lightImage). A texture never changes: another state of an
+ * atlas has another one, and a draw thread finishes with the former.*/
+class OSGENVLIGHT_EXPORT AtlasLights
+{
+  public:
+    /** @param name   of the atlas
+     * @param near   the atlas of the same lights about the view, or null
+     * @param scale  that the fluxes are multiplied by */
+    osg::Texture2D* texture(const std::string& name, const ShadowAtlas& atlas, const ShadowAtlas* near, double scale);
+
+    /** Forget those that were not asked for since the last call. */
+    void endFrame();
+    size_t bytes() const;
+    void resizeGLObjectBuffers(unsigned maximum);
+    void releaseGLObjects(osg::State* state) const;
+
+  private:
+    struct Entry {
+        osg::ref_ptr<osg::Texture2D> texture;
+        osg::ref_ptr<const ShadowAtlas> atlas, near;  // that it is of, at which versions and scale
+        unsigned version = 0, nearVersion = 0;
+        double scale = 0.0;
+        bool used = false;
+    };
+    std::map<std::string, Entry> _entries;
+};
+
+}  // namespace osgEnvLight

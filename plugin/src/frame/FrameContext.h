@@ -1,0 +1,109 @@
+/* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
+#pragma once
+
+#include "frame/Accumulation.h"
+#include "frame/AtlasLights.h"
+#include "frame/FrameResources.h"
+#include "frame/SceneFacts.h"
+#include "gl/ShaderLibrary.h"
+#include "lights/MapTextures.h"
+#include "shadow/ShadowAtlas.h"
+#include "shadow/SunShadows.h"
+
+#include <osgEnvLight/GBuffer>
+
+#include <utility>
+
+namespace osgUtil
+{
+class CullVisitor;
+}
+
+namespace osgEnvLight
+{
+
+class DepthProbe;
+
+/** One frame of one view, while it is culled: what the host gives, what the scene needs, and what passes have found for those
+ * after them. */
+struct FrameContext {
+    osgUtil::CullVisitor& cv;
+    osgUtil::RenderStage& host;
+    FrameResources& frame;
+    const Settings& settings;
+    MapTextures& textures;
+    GBuffer& gbuffer;
+    ShaderLibrary& shaders;
+    AtlasLights& atlasLights;
+    osg::Viewport* viewport;  // of the view, from 0 on
+    osg::Texture* albedoTable;
+    ContextWatch::Listener* contextListener;
+    FrameTimer* timer;  // null: times are not measured
+    unsigned number;    // of the frame, in its view
+
+    osg::Matrixd mapFromWorld = {};
+    osg::Matrixd worldFromEye = {};
+    double radianceScale = 0.0;  // the map's mean radiance times its intensity
+    double baseStops = 0.0;      // the exposure that the picture has before the setting's stops
+    DepthConvention depth = {};  // the host's
+    std::vector<Caster> casters = {};
+    SceneLightList lights = {};                // of the application that are switched on
+    int background = Settings::BACKGROUND_ON;  // never AUTO
+    std::string behind = {};                   // what is behind the scene, in words
+    bool showsNothing = false;                 // of the scene there is: its shadow maps are kept for when it does
+
+    SceneFacts facts = {};
+    Decisions decisions = {};
+
+    // Set in update(), by the passes that own them.
+    ShadowAtlas* skyMaps = nullptr;        // of the map's lights; null: there is no atlas
+    ShadowAtlas* nearSkyMaps = nullptr;    // of the same lights, about the view; null: skyMaps are fine enough
+    DepthProbe* probe = nullptr;           // is to measure in this frame what the view shows
+    unsigned waitingMaps = 0;              // of the sky, to be drawn in later frames
+    SunShadows* sunMaps = nullptr;         // null: suns have none
+    unsigned drawnSunMaps = 0;             // in this frame
+    const Accumulation* still = nullptr;   // null where none was asked for
+    ShadowAtlas* stillMaps = nullptr;      // of the lights of a frame of its average
+    ShadowAtlas* stillNearMaps = nullptr;  // of the same lights, about the view
+    osg::Vec2d subpixel = {};              // shift of the picture in clip space over w
+
+    int width() const { return int(viewport->width()); }
+    int height() const { return int(viewport->height()); }
+
+    /** This frame adds to a still view's average. */
+    bool isAccumulating() const { return still && still->adds(); }
+    /** Nothing has changed since a view that has all its frames was drawn. */
+    bool isConverged() const { return still && still->frames() > 0 && !still->adds(); }
+    /** A still view's average asks the maps of its own lights. */
+    bool needsSunMaps() const { return !still || still->frames() == 0; }
+
+    TimedDraw timed(const std::string& pass) const { return {timer, pass, number}; }
+    /** Give a full-screen triangle what changes from frame to frame. */
+    void prepare(FullScreen& triangle, const std::string& pass) const
+    {
+        triangle.mapFromWorld = mapFromWorld;
+        triangle.subpixel = subpixel;
+        triangle.depth = depth;
+        triangle.timed = timed(pass);
+    }
+
+    /** Add to the plan's line of the pass that is being set up. */
+    void remark(const std::string& text) { _remark += text; }
+    std::string takeRemark() { return std::exchange(_remark, std::string()); }
+
+    /** Lights of the map, turned into the world. */
+    template <class Lights>
+    Lights inWorld(Lights list) const
+    {
+        const osg::Matrixd worldFromMap = osg::Matrixd::inverse(mapFromWorld);
+        for (auto& light : list) {
+            light.direction = light.direction * worldFromMap;
+            light.direction.normalize();
+        }
+        return list;
+    }
+
+    std::string _remark = {};
+};
+
+}  // namespace osgEnvLight

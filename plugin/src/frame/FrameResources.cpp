@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "frame/FrameResources.h"
+
+#include <utility>
+
+namespace osgEnvLight
+{
+
+FrameResources::FrameResources()
+    : uniforms(new osg::StateSet),
+      _sceneRadius(new osg::Uniform("sceneRadius", 0.0f)),
+      _radianceScale(new osg::Uniform("radianceScale", 0.0f)),
+      _baseStops(new osg::Uniform("baseStops", 0.0f)),
+      _emittedStops(new osg::Uniform("emittedStops", 0.0f)),
+      _pyramidSide(new osg::Uniform("pyramidSide", 0.0f)),
+      _pyramidLastLevel(new osg::Uniform("pyramidLastLevel", 0.0f)),
+      _mapFromEye(new osg::Uniform(osg::Uniform::FLOAT_MAT3, "mapFromEyeForward")),
+      _sampleShift(new osg::Uniform("sampleShift", osg::Vec2())),
+      _sampleFrames(new osg::Uniform("sampleFrames", 1.0f)),
+      _frameWeight(new osg::Uniform("frameWeight", 0.0f)),
+      _accumulatedWeight(new osg::Uniform("accumulatedWeight", 0.0f)),
+      _accumulatedShare(new osg::Uniform("accumulatedShare", 0.0f)),
+      _accumulatedFrames(new osg::Uniform("accumulatedFrames", 0.0f))
+{
+    for (const Settings::Property& p : Settings::table()) {
+        const bool real = std::holds_alternative<float Settings::*>(p.member);
+        _settings.push_back(new osg::Uniform(real ? osg::Uniform::FLOAT : osg::Uniform::INT, p.name));
+        uniforms->addUniform(_settings.back());
+    }
+    for (osg::Uniform* u : {_sceneRadius.get(), _radianceScale.get(), _baseStops.get(), _emittedStops.get(), _pyramidSide.get(),
+                            _pyramidLastLevel.get(), _mapFromEye.get(), _sampleShift.get(), _sampleFrames.get(),
+                            _frameWeight.get(), _accumulatedWeight.get(), _accumulatedShare.get(), _accumulatedFrames.get()})
+        uniforms->addUniform(u);
+}
+
+void FrameResources::setUniforms(const Settings& settings, double sceneRadius, double radianceScale, const MapTextures& textures,
+                                 const osg::Matrixd& mapFromEye, double baseStops)
+{
+    const auto& table = Settings::table();
+    for (size_t i = 0; i < table.size(); ++i) {
+        const double value = table[i].get(settings);
+        const bool real = _settings[i]->getType() == osg::Uniform::FLOAT;
+        real ? _settings[i]->set(float(value)) : _settings[i]->set(int(value));
+    }
+    _sceneRadius->set(float(sceneRadius));
+    _radianceScale->set(float(radianceScale));
+    _baseStops->set(float(baseStops));
+    _emittedStops->set(float(-baseStops));
+    _pyramidSide->set(float(textures.pyramidSide()));
+    _pyramidLastLevel->set(float(textures.pyramidLastLevel()));
+    osg::Matrix3 m;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) m(i, j) = float(mapFromEye(i, j));
+    _mapFromEye->set(m);
+}
+
+void FrameResources::setUniforms(const Accumulation* still)
+{
+    const bool adds = still && still->adds();
+    // Other points than those of the picture's offset.
+    const osg::Vec2d shift = adds ? r2Point(still->frames() + 4096) : osg::Vec2d();
+    _sampleShift->set(osg::Vec2(shift));
+    _sampleFrames->set(adds ? float(still->frames()) : 1.0f);
+    _frameWeight->set(adds ? float(still->weight()) : 0.0f);
+    _accumulatedWeight->set(still ? float(still->weightSum()) : 0.0f);
+    _accumulatedShare->set(still ? float(still->share()) : 0.0f);
+    _accumulatedFrames->set(still ? float(still->equalFrames()) : 0.0f);
+}
+
+StageDraw& FrameResources::draw(const std::string& name, const std::function<osg::ref_ptr<osg::Drawable>()>& make)
+{
+    osg::ref_ptr<StageDraw>& draw = _draws[name];
+    if (!draw) draw = new StageDraw(make().get());
+    return *draw;
+}
+
+AtlasRefresh& FrameResources::refresh(const std::string& name)
+{
+    osg::ref_ptr<AtlasRefresh>& refresh = _refreshes[name];
+    if (!refresh) refresh = new AtlasRefresh(name, triangle.get());
+    return *refresh;
+}
+
+osg::StateSet& FrameResources::atlasState(const std::string& name, const ShadowAtlas& atlas, const ShadowAtlas* near)
+{
+    osg::ref_ptr<osg::StateSet>& state = _atlasStates[name];
+    if (!state) {
+        state = new osg::StateSet;
+        state->addUniform(new osg::Uniform("atlasTexel", 0.0f));
+        state->addUniform(new osg::Uniform("atlasSize", 0));  // a still view's differs from the setting
+        state->addUniform(new osg::Uniform("neighbourhood", osg::Vec4()));
+        state->addUniform(new osg::Uniform("neighbourhoodTexel", 0.0f));
+    }
+    state->getUniform("atlasTexel")->set(float(atlas.texel()));
+    state->getUniform("atlasSize")->set(int(atlas.size));
+    if (near) {
+        const osg::BoundingSphered shown = near->shown();
+        const osg::Vec3 center = shown.center() - atlas.origin();
+        state->getUniform("neighbourhood")->set(osg::Vec4(center, float(shown.radius())));
+        state->getUniform("neighbourhoodTexel")->set(float(near->complete() ? near->texel() : atlas.texel()));
+    }
+    return *state;
+}
+
+osg::StateSet& FrameResources::sceneLightState()
+{
+    if (!_sceneLightState) {
+        _sceneLightState = new osg::StateSet;
+        sceneLights.addTo(*_sceneLightState);
+    }
+    return *_sceneLightState;
+}
+
+osg::StateSet& FrameResources::sunState(const SunShadows& shadows)
+{
+    if (!_sunState) _sunState = new osg::StateSet;
+    _sunUsed = true;
+    if (_sunShadows != &shadows || _sunVersion != shadows.version()) {
+        shadows.setUniforms(*_sunState);
+        _sunShadows = &shadows;
+        _sunVersion = shadows.version();
+    }
+    return *_sunState;
+}
+
+std::vector<osg::Drawable*> FrameResources::drawables() const
+{
+    std::vector<osg::Drawable*> all;
+    if (composite) all.push_back(composite.get());
+    for (const auto& [name, draw] : _draws) all.push_back(&draw->drawable());
+    return all;
+}
+
+void FrameResources::resizeGLObjectBuffers(unsigned maximum)
+{
+    for (osg::Drawable* drawable : drawables()) drawable->resizeGLObjectBuffers(maximum);
+    for (osg::StateSet* s : {fillState.get(), forwardState.get()})
+        if (s) s->resizeGLObjectBuffers(maximum);
+}
+
+void FrameResources::releaseGLObjects(osg::State* state) const
+{
+    for (const osg::Drawable* drawable : drawables()) drawable->releaseGLObjects(state);
+    for (const osg::StateSet* s : {fillState.get(), forwardState.get()})
+        if (s) s->releaseGLObjects(state);
+}
+
+void FrameResources::retire(RetiredObjects& retired) const
+{
+    for (osg::Drawable* drawable : drawables()) retired.add(drawable);
+}
+
+void FrameResources::forgetUnused(RetiredObjects& retired)
+{
+    for (auto it = _draws.begin(); it != _draws.end();) {
+        const bool used = it->second->takeAdded();
+        if (!used) {
+            retired.add(&it->second->drawable());
+            _refreshes.erase(it->first);
+        }
+        it = used ? std::next(it) : _draws.erase(it);
+    }
+    if (!std::exchange(_sunUsed, false)) _sunShadows = nullptr;
+}
+
+}  // namespace osgEnvLight

@@ -1,0 +1,103 @@
+/* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
+#pragma once
+
+#include "frame/Accumulation.h"
+#include "frame/FullScreen.h"
+#include "frame/GBufferStage.h"
+#include "frame/StageCamera.h"
+#include "frame/StageDraw.h"
+#include "gl/RetiredObjects.h"
+#include "lights/MapTextures.h"
+#include "shadow/AtlasRefresh.h"
+#include "shadow/ShadowAtlas.h"
+#include "shadow/SunShadows.h"
+#include "surface/GBufferFill.h"
+#include "surface/SceneLights.h"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace osgEnvLight
+{
+
+/** What one CullVisitor fills and one draw traversal reads: a SceneView is never culled while it is drawn, so it needs no
+ * lock. The uniforms' values belong to it for the same reason.*/
+class OSGENVLIGHT_EXPORT FrameResources : public osg::Referenced
+{
+  public:
+    FrameResources();
+
+    /** The values of this frame, for every pass and the forward surfaces: all of Settings by name, and what follows. */
+    void setUniforms(const Settings& settings, double sceneRadius, double radianceScale, const MapTextures& textures,
+                     const osg::Matrixd& mapFromEye, double baseStops);
+    /** Where a still view stands; null: none. */
+    void setUniforms(const Accumulation* still);
+
+    const osg::ref_ptr<osg::StateSet> uniforms;
+    /** The vertices of all its triangles, in one buffer. */
+    const osg::ref_ptr<osg::Vec3Array> triangle = fullScreenVertices();
+
+    // Of the G-buffer:
+    osg::ref_ptr<GBufferStage> gbufferStage;
+    osg::ref_ptr<StageCamera> gbufferCamera;
+    const std::shared_ptr<TimedDraw> gbufferTimes = std::make_shared<TimedDraw>();
+    osg::ref_ptr<GBufferFill> fill;
+    osg::ref_ptr<osg::StateSet> fillState;  // what fill was made from
+    osg::ref_ptr<osg::Uniform> subpixel, materialColors, emittedStops;
+
+    SceneLightUniforms sceneLights;  // set when the view has been culled
+    osg::ref_ptr<osg::StateSet> forwardState;
+    osg::ref_ptr<FullScreen> composite;
+
+    /** The draw of that name, made when it is first asked for. */
+    StageDraw& draw(const std::string& name, const std::function<osg::ref_ptr<osg::Drawable>()>& make);
+    /** What draws the shadow maps of that name. */
+    AtlasRefresh& refresh(const std::string& name);
+
+    /** Uniforms of an atlas and its lights as they stand in this frame.
+     * @param name  of the atlas
+     * @param near  the atlas of the same lights about the view, or null */
+    osg::StateSet& atlasState(const std::string& name, const ShadowAtlas& atlas, const ShadowAtlas* near);
+    /** Uniforms of the application's lights. */
+    osg::StateSet& sceneLightState();
+    /** Uniforms of the suns' maps as they stand in this frame. */
+    osg::StateSet& sunState(const SunShadows& shadows);
+
+    void resizeGLObjectBuffers(unsigned maximum);
+    void releaseGLObjects(osg::State* state) const;
+    /** Hand over what a draw may still refer to. */
+    void retire(RetiredObjects& retired) const;
+    /** Forget what this frame did not use: it would keep maps that the view has replaced. */
+    void forgetUnused(RetiredObjects& retired);
+    unsigned lastCull = 0;  // of its view
+
+  private:
+    std::vector<osg::Drawable*> drawables() const;
+
+    std::map<std::string, osg::ref_ptr<StageDraw>> _draws;
+    std::map<std::string, osg::ref_ptr<AtlasRefresh>> _refreshes;
+    std::map<std::string, osg::ref_ptr<osg::StateSet>> _atlasStates;
+    osg::ref_ptr<osg::StateSet> _sceneLightState;
+    osg::ref_ptr<osg::StateSet> _sunState;
+    osg::ref_ptr<const SunShadows> _sunShadows;  // that it is of, at which version
+    unsigned _sunVersion = 0;
+    bool _sunUsed = false;
+    std::vector<osg::ref_ptr<osg::Uniform>> _settings;  // in the table's order
+    osg::ref_ptr<osg::Uniform> _sceneRadius;
+    osg::ref_ptr<osg::Uniform> _radianceScale;
+    osg::ref_ptr<osg::Uniform> _baseStops;
+    osg::ref_ptr<osg::Uniform> _emittedStops;
+    osg::ref_ptr<osg::Uniform> _pyramidSide;
+    osg::ref_ptr<osg::Uniform> _pyramidLastLevel;
+    osg::ref_ptr<osg::Uniform> _mapFromEye;
+    osg::ref_ptr<osg::Uniform> _sampleShift;
+    osg::ref_ptr<osg::Uniform> _sampleFrames;
+    osg::ref_ptr<osg::Uniform> _frameWeight;
+    osg::ref_ptr<osg::Uniform> _accumulatedWeight;
+    osg::ref_ptr<osg::Uniform> _accumulatedShare;
+    osg::ref_ptr<osg::Uniform> _accumulatedFrames;
+};
+
+}  // namespace osgEnvLight

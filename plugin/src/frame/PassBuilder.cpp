@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "frame/PassBuilder.h"
+
+#include "frame/FrameGraph.h"
+
+#include <stdexcept>
+
+namespace osgEnvLight
+{
+
+TextureId PassBuilder::create(const std::string& name, const TextureDesc& desc)
+{
+    const char* pass = _graph._nodes[size_t(_pass)].pass->name();
+    if (find(name).valid()) throw std::runtime_error(std::string(pass) + " makes '" + name + "', which another pass makes too");
+    FrameGraph::Resource resource;
+    resource.name = name;
+    resource.desc = desc;
+    resource.maker = _pass;
+    _graph._resources.push_back(resource);
+    return find(name);
+}
+
+TextureId PassBuilder::find(const std::string& name) const
+{
+    TextureId id;
+    for (size_t i = 0; i < _graph._resources.size(); ++i)
+        if (_graph._resources[i].name == name) id._index = int(i);
+    return id;
+}
+
+void PassBuilder::read(TextureId texture, const std::string& sampler)
+{
+    if (!texture.valid())
+        throw std::runtime_error(std::string(_graph._nodes[size_t(_pass)].pass->name()) + " reads " + sampler +
+                                 ", which no pass before it makes");
+    _graph._resources[size_t(texture._index)].readers.push_back(_pass);
+    _inputs.samplers.push_back({sampler, texture, nullptr});
+}
+
+bool PassBuilder::read(const std::string& texture, const std::string& sampler)
+{
+    const TextureId id = find(texture);
+    if (id.valid()) read(id, sampler);
+    return id.valid();
+}
+
+void PassBuilder::bind(osg::Texture* texture, const std::string& sampler)
+{
+    _inputs.samplers.push_back({sampler, TextureId(), texture});
+}
+
+void PassBuilder::write(TextureId texture)
+{
+    _inputs.targets.push_back(texture);
+}
+
+void PassBuilder::addTo(TextureId texture)
+{
+    _graph._resources[size_t(texture._index)].adders.push_back(_pass);
+    _inputs.targets.push_back(texture);
+    _inputs.adds = true;
+}
+
+void PassBuilder::triangle(const std::function<osg::ref_ptr<FullScreen>()>& make, const std::function<void(FullScreen&)>& prepare)
+{
+    _inputs.makeTriangle = make;
+    _inputs.prepareTriangle = prepare;
+}
+
+StateSets& PassBuilder::states()
+{
+    return _graph._states;
+}
+
+void PassBuilder::readGBuffer()
+{
+    read("albedo", "albedoMap");
+    read("normal", "normalMap");
+    read("specular properties", "specularMap");
+    read("depth", "depthMap");
+}
+
+}  // namespace osgEnvLight

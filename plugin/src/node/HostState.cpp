@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "node/HostState.h"
+
+#include "surface/Backdrop.h"
+
+#include <osg/Camera>
+#include <osg/GraphicsContext>
+
+#include <algorithm>
+#include <utility>
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+bool overlaps(const osg::Viewport* a, const osg::Viewport* b)
+{
+    return a && b && a->x() < b->x() + b->width() && b->x() < a->x() + a->width() && a->y() < b->y() + b->height() &&
+           b->y() < a->y() + a->height();
+}
+
+// A camera before the host's has cleared these colours and drawn into them: the far part of a depth partition, a backdrop.
+bool drawsOverAnother(const osg::Camera* host)
+{
+    const osg::GraphicsContext* context = host ? host->getGraphicsContext() : nullptr;
+    if (!context || (host->getClearMask() & GL_COLOR_BUFFER_BIT)) return false;
+    for (const osg::Camera* other : const_cast<osg::GraphicsContext*>(context)->getCameras()) {
+        const bool before = std::make_pair(other->getRenderOrder(), other->getRenderOrderNum()) <=
+                            std::make_pair(host->getRenderOrder(), host->getRenderOrderNum());
+        if (other != host && before && (other->getClearMask() & GL_COLOR_BUFFER_BIT) && other->getBufferAttachmentMap().empty() &&
+            host->getBufferAttachmentMap().empty() && overlaps(other->getViewport(), host->getViewport()))
+            return true;
+    }
+    return false;
+}
+
+std::string describeBackground(FrameContext& c, const std::vector<ForwardGraph>& forward)
+{
+    c.background = c.settings.background;
+    if (c.background == Settings::BACKGROUND_AUTO) {
+        const std::string backdrop = findBackdrop(c.host, forward);
+        c.background = backdrop.empty() ? Settings::BACKGROUND_ON : Settings::BACKGROUND_OFF;
+        if (!backdrop.empty()) return backdrop + " behind";
+    }
+    if (c.background == Settings::BACKGROUND_OFF) return "the background switched off";
+    const bool keepsColors = c.settings.background == Settings::BACKGROUND_AUTO && !(c.host.getClearMask() & GL_COLOR_BUFFER_BIT);
+    if (keepsColors || drawsOverAnother(c.host.getCamera())) {
+        c.background = Settings::BACKGROUND_OFF;
+        return "the colours behind that the host does not clear";
+    }
+    return c.background == Settings::BACKGROUND_BLUR ? "the map behind, blurred" : "the map behind";
+}
+
+bool has(const SceneLightList& lights, unsigned number)
+{
+    return std::any_of(lights.begin(), lights.end(), [&](const SceneLight& l) { return l.number == number; });
+}
+
+SceneLightList without(SceneLightList lights, const SceneLightList& others)
+{
+    const auto known = [&](const SceneLight& l) { return has(others, l.number); };
+    lights.erase(std::remove_if(lights.begin(), lights.end(), known), lights.end());
+    return lights;
+}
+
+SceneLightList switchedOn(SceneLightList lights, unsigned modes)
+{
+    const auto off = [&](const SceneLight& l) { return !(modes >> l.number & 1); };
+    lights.erase(std::remove_if(lights.begin(), lights.end(), off), lights.end());
+    return lights;
+}
+
+}  // namespace
+
+void chooseBackground(FrameContext& c, const std::vector<ForwardGraph>& forward)
+{
+    c.behind = describeBackground(c, forward);
+}
+
+// The light of a LightSource behind the node in the graph is known only after the cull: that there is one, the frame before says,
+// what it is like, the end of this one's.
+void findLights(FrameContext& c, ViewData& data, const std::vector<ForwardGraph>& forward,
+                const std::function<void(const std::string&)>& report)
+{
+    if (c.settings.sceneLights == Settings::SCENE_LIGHTS_OFF || !c.facts.ownGBuffer) {
+        data.lateLights.clear();
+        if (c.frame.gbufferStage) c.frame.gbufferStage->afterCull = nullptr;
+        return;
+    }
+    const bool withView = c.settings.sceneLights == Settings::SCENE_LIGHTS_ON;
+    const osg::View* view = c.host.getCamera() ? c.host.getCamera()->getView() : nullptr;
+    const SceneLightList known = findSceneLights(c.host, view, withView);
+    SceneLightList expected = known;
+    for (const SceneLight& late : without(data.lateLights, known)) expected.push_back(late);
+    LightModes modes;
+    if (!expected.empty()) modes = findLightModes(*c.frame.gbufferStage, forward);
+    c.lights = switchedOn(expected, modes.some);
+    for (const SceneLight& l : switchedOn(c.lights, ~modes.all))
+        report("light " + l.name + " is switched on for some of the surfaces only, and lights all of them");
+    // All that this refers to lives as long as the cull.
+    c.frame.gbufferStage->afterCull = [=, host = &c.host, frame = &c.frame, data = &data] {
+        const SceneLightList all = findSceneLights(*host, view, withView);
+        frame->sceneLights.set(switchedOn(all, modes.some));
+        data->lateLights = without(all, known);  // shown by the frame that follows (LitScene::followFrame)
+    };
+}
+
+}  // namespace osgEnvLight

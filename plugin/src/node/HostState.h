@@ -1,0 +1,23 @@
+/* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
+#pragma once
+
+#include "frame/FrameContext.h"
+#include "frame/ViewData.h"
+#include "surface/SurfaceSorter.h"
+
+#include <functional>
+#include <string>
+
+namespace osgEnvLight
+{
+
+/** Find out what is behind the scene: the map, or what the host has drawn there. Sets background and behind. */
+void chooseBackground(FrameContext& context, const std::vector<ForwardGraph>& forward);
+
+/** Find the application's lights. Sets lights, and lets the G-buffer's stage find those of LightSources behind the node when the
+ * host has culled them.
+ * @param report  receives what is not lit as without us */
+void findLights(FrameContext& context, ViewData& view, const std::vector<ForwardGraph>& forward,
+                const std::function<void(const std::string&)>& report);
+
+}  // namespace osgEnvLight

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "node/LitView.h"
+
+#include "passes/Lighting.h"
+#include "passes/Occlusion.h"
+#include "passes/Output.h"
+#include "passes/SkyShadows.h"
+#include "passes/StillView.h"
+#include "passes/SunPasses.h"
+
+namespace osgEnvLight
+{
+
+LitView::LitView(Failure* failure, RetiredObjects* retired, SurfaceSorter* sorter)
+    : ViewData(failure, retired), gbufferPass(new GBufferPass(sorter, failure))
+{
+    graph.add(gbufferPass);
+    graph.add(new SceneLightsPass);
+    graph.add(new DepthProbePass);
+    graph.add(new SkyShadows(failure, retired));
+    graph.add(new StillView(failure, retired));
+    graph.add(new Suns);
+    graph.add(new SunMaps(failure, retired));
+    graph.add(new SunShadowPass);
+    graph.add(new SunFilterPass);
+    graph.add(new DiffusePass);
+    graph.add(new OcclusionPass);
+    graph.add(new FilterPass);
+    graph.add(new SpecularPass);
+    graph.add(new BouncePass);
+    graph.add(new BounceSumPass);
+    graph.add(new StillPass);
+    graph.add(new AccumulatePass);
+    graph.add(new StillErrorPass);
+    graph.add(new CompositePass);
+    graph.add(new ForwardPass);
+}
+
+}  // namespace osgEnvLight

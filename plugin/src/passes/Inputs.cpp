@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "passes/Inputs.h"
+
+namespace osgEnvLight
+{
+
+void readLobes(PassBuilder& b, const FrameContext& c)
+{
+    b.define("HAS_PHONG", c.facts.surfaces.phong);
+    if (!c.facts.surfaces.cookTorrance) return;
+    b.define("HAS_COOK_TORRANCE");
+    b.bind(c.albedoTable, "albedoTable");
+}
+
+void readSuns(PassBuilder& b, FrameContext& c)
+{
+    std::vector<osg::ref_ptr<osg::Uniform>> uniforms;
+    c.textures.addSuns(uniforms);
+    for (const auto& u : uniforms) b.uniform(u.get());
+}
+
+bool readSunVisibility(PassBuilder& b)
+{
+    if (!b.read("sun visibility 0", "sunVisibilityMap0")) return false;
+    b.define("HAS_SUN_SHADOWS");
+    if (!b.read("sun visibility 1", "sunVisibilityMap1")) b.read("sun visibility 0", "sunVisibilityMap1");
+    return true;
+}
+
+void readSkyMaps(PassBuilder& b, FrameContext& c, const std::string& name, ShadowAtlas& maps, ShadowAtlas* near)
+{
+    b.bind(maps.texture(), "atlasMap");
+    if (near) {
+        b.define("HAS_NEIGHBOURHOOD");
+        b.bind(near->texture(), "finerAtlasMap");
+    }
+    b.bind(c.atlasLights.texture(name, maps, near, 1.0 / c.textures.map().mean), "atlasLightMap");
+    b.frameUniforms(&c.frame.atlasState(name, maps, near));
+    b.shadowOrigin(maps.origin());
+}
+
+void readSunMaps(PassBuilder& b, FrameContext& c)
+{
+    b.bind(c.sunMaps->texture(), "sunShadowMaps");
+    b.frameUniforms(&c.frame.sunState(*c.sunMaps));
+    b.shadowOrigin(c.sunMaps->targets().origin);
+}
+
+void readDiffuseTerms(PassBuilder& b, const FrameContext& c)
+{
+    b.read("emission", "emissionMap");
+    if (b.read("diffuse", "diffuseTermMap")) b.define("HAS_DIFFUSE");
+    if (b.read("sun diffuse", "sunDiffuseMap")) b.define("HAS_SUNS");
+    if (b.read("sun shaded", "sunShadedMap")) b.define("HAS_SUN_SHADOWS");
+    if (b.read("occlusion", "occlusionTermMap")) b.define("HAS_OCCLUSION");
+    b.define("COMBINE_SUBTRACT", c.settings.combine == Settings::SUBTRACT);
+}
+
+void readPicture(PassBuilder& b, FrameContext& c)
+{
+    readDiffuseTerms(b, c);
+    if (b.read("specular", "specularTermMap")) b.define("HAS_SPECULAR");
+    if (b.read("bounce", "bounceMap")) {
+        b.define("HAS_BOUNCE");
+        if (b.read("blocked lobe", "blockedLobeMap")) b.define("HAS_LOBES");
+    }
+    b.define("BACKGROUND", c.background != Settings::BACKGROUND_OFF);
+    if (c.background == Settings::BACKGROUND_BLUR) {
+        b.define("BACKGROUND_BLUR");
+        b.bind(c.textures.pyramid(), "pyramidMap");
+    }
+    if (c.background == Settings::BACKGROUND_ON || c.settings.view == Settings::LIGHT_LIST)
+        b.bind(c.textures.latlong(), "latlongMap");
+}
+
+}  // namespace osgEnvLight

@@ -1,0 +1,38 @@
+/* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
+#pragma once
+
+#include "frame/FrameContext.h"
+#include "frame/PassBuilder.h"
+
+#include <string>
+
+namespace osgEnvLight
+{
+
+// What several passes read alike. The textures of a frame:
+//   albedo, normal, specular properties, depth, emission   the G-buffer
+//   diffuse, sun diffuse, sun shaded    D of the map and of the suns, and what the scene leaves of the latter
+//   specular, blocked lobe              S, and the part of the lobe's albedo that surfaces take from the map
+//   seen light, all light, seen lobe    sums over a group of lights
+//   occlusion, lobe visibility          their filtered ratios
+//   sun points 0 .. 3, sun visibility 0 and 1
+//   bounce                              sums of the radiance of what blocks light
+
+/** HAS_PHONG, HAS_COOK_TORRANCE: the BRDFs that are in view. */
+void readLobes(PassBuilder& builder, const FrameContext& context);
+/** The uniforms of pass/suns.glsl. */
+void readSuns(PassBuilder& builder, FrameContext& context);
+/** HAS_SUN_SHADOWS and what each pixel sees of the suns, where a pass makes that; else false. */
+bool readSunVisibility(PassBuilder& builder);
+/** Maps and lights of a sky shadow atlas.
+ * @param name  of the atlas
+ * @param near  the maps of the same lights about the view, or null */
+void readSkyMaps(PassBuilder& builder, FrameContext& context, const std::string& name, ShadowAtlas& maps, ShadowAtlas* near);
+/** The shadow maps of the suns. */
+void readSunMaps(PassBuilder& builder, FrameContext& context);
+/** What pass/terms.glsl reads. */
+void readDiffuseTerms(PassBuilder& builder, const FrameContext& context);
+/** What pass/picture.glsl reads. */
+void readPicture(PassBuilder& builder, FrameContext& context);
+
+}  // namespace osgEnvLight

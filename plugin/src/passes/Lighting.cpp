@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "passes/Lighting.h"
+
+#include "passes/Inputs.h"
+
+namespace osgEnvLight
+{
+
+Requirement SceneLightsPass::require(const FrameContext& c) const
+{
+    const size_t count = c.facts.sceneLights;
+    Requirement lights;
+    lights.unless(c.settings.sceneLights == Settings::SCENE_LIGHTS_OFF, "switched off");
+    lights.unless(!c.facts.ownGBuffer, "the application's own G-buffer says what surfaces emit");
+    lights.unless(count == 0 && c.settings.sceneLights == Settings::SCENE_LIGHTS_AUTO, "only the viewer's own light");
+    lights.unless(count == 0, "no light is switched on");
+    const bool forward = c.facts.surfaces.litForward > 0;
+    lights.unless(c.facts.surfaces.deferred == 0, forward ? Decisions::onlyForward : "nothing to light");
+    return lights.because(std::to_string(count) + (count == 1 ? " light" : " lights") + ", without shadows");
+}
+
+void SceneLightsPass::setup(PassBuilder& b, FrameContext& c)
+{
+    b.readGBuffer();
+    readLobes(b, c);
+    b.frameUniforms(&c.frame.sceneLightState());
+    b.addTo(b.find("emission"));
+}
+
+Requirement DiffusePass::require(const FrameContext& c) const
+{
+    Requirement diffuse = c.decisions.light;
+    diffuse.unless(c.facts.surfaces.deferred == 0, Decisions::onlyForward);
+    return diffuse.because(c.facts.carrier.describe());
+}
+
+void DiffusePass::setup(PassBuilder& b, FrameContext& c)
+{
+    b.readGBuffer();
+    if (c.facts.carrier.lights) {
+        b.bind(c.textures.diffuseLights(), "diffuseLightMap");
+    } else {
+        b.define(c.facts.carrier.harmonics == 9 ? "DIFFUSE_SH_9" : "DIFFUSE_SH_18");
+        b.uniform(c.textures.harmonics());
+    }
+    readLobes(b, c);
+    b.write(b.create("diffuse"));
+    if (!c.decisions.sunDiffuse) return;
+    b.define("HAS_SUNS");
+    readSuns(b, c);
+    b.write(b.create("sun diffuse"));
+    if (readSunVisibility(b)) b.write(b.create("sun shaded"));
+}
+
+Requirement SpecularPass::require(const FrameContext& c) const
+{
+    const bool glossy = c.facts.surfaces.phong || c.facts.surfaces.cookTorrance;
+    Requirement specular;
+    specular.unless(!c.settings.specular, "switched off").unless(c.facts.mapIsBlack, "the map is black");
+    specular.unless(c.facts.surfaces.deferred == 0, "nothing to light").unless(!glossy, "no glossy surface in view");
+    return specular.because(counted(size_t(c.settings.specularSamples), "samples a pixel"));
+}
+
+void SpecularPass::setup(PassBuilder& b, FrameContext& c)
+{
+    b.readGBuffer();
+    b.bind(c.textures.pyramid(), "pyramidMap");
+    b.bind(c.textures.latlong(), "latlongMap");
+    readLobes(b, c);
+    if (c.decisions.suns.needed) {
+        b.define("HAS_SUNS");
+        readSuns(b, c);
+    }
+    readSunVisibility(b);
+    b.write(b.create("specular", {GL_RGBA32F_ARB}));  // a mirrored sun exceeds half floats in units of the map's mean
+    if (!b.read("lobe visibility", "lobeSeenMap")) return;
+    c.remark(", occluded by what the atlas knows");
+    b.define("HAS_LOBES");
+    b.define("LOBES_UNOCCLUDED", c.isAccumulating());
+    b.write(b.create("blocked lobe"));
+}
+
+}  // namespace osgEnvLight

@@ -1,0 +1,36 @@
+/* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
+#pragma once
+
+#include "frame/RenderPass.h"
+
+namespace osgEnvLight
+{
+
+/** Adds what surfaces reflect of the application's lights to the G-buffer's emission: bounce and still views then have it too. */
+class OSGENVLIGHT_EXPORT SceneLightsPass : public RenderPass
+{
+  public:
+    const char* name() const override { return "scenelights"; }
+    Requirement require(const FrameContext& context) const override;
+    void setup(PassBuilder& builder, FrameContext& context) override;
+};
+
+/** D: the diffuse term of the map and of the suns, without occlusion. */
+class OSGENVLIGHT_EXPORT DiffusePass : public RenderPass
+{
+  public:
+    const char* name() const override { return "diffuse"; }
+    Requirement require(const FrameContext& context) const override;
+    void setup(PassBuilder& builder, FrameContext& context) override;
+};
+
+/** S: the glossy term. */
+class OSGENVLIGHT_EXPORT SpecularPass : public RenderPass
+{
+  public:
+    const char* name() const override { return "specular"; }
+    Requirement require(const FrameContext& context) const override;
+    void setup(PassBuilder& builder, FrameContext& context) override;
+};
+
+}  // namespace osgEnvLight

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "passes/MapRefresh.h"
+
+#include "gl/BindTargets.h"
+
+#include <osg/ColorMask>
+#include <osg/Depth>
+
+#include <utility>
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+const unsigned on = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
+
+AtlasRefresh::States statesOf(PassBuilder& b, FrameContext& c, const char* shader, const ShadowTargets& targets)
+{
+    AtlasRefresh::States states;
+    for (const bool second : {false, true}) {
+        const StateSets::State state =
+            b.states().get({second ? "second surface" : "first surface", {}, {targets.firstDepth.get()}});
+        osg::StateSet& s = state.stateSet;
+        (second ? states.second : states.first) = &s;
+        if (!state.isNew) continue;
+        s.setAttribute(c.shaders.program("pass/caster.vert", "pass/caster.frag"), on);
+        s.setAttributeAndModes(new osg::Depth(osg::Depth::LESS, 0, 1, true), on);
+        s.setMode(GL_DEPTH_CLAMP, on);  // what lies above a map's heights casts shadows into it
+        s.addUniform(new osg::Uniform("baseColorMap", 0));
+        if (!second) continue;
+        s.setDefine("CASTER_SECOND");
+        s.setAttribute(new osg::ColorMask(false, true, false, false), on);  // beside the first one's slope
+        StateSets::bind(s, 1, {"firstDepthMap", targets.firstDepth.get()});
+    }
+    const StateSets::State state = b.states().get({shader, {}, {targets.firstDepth.get()}});
+    states.midpoints = &state.stateSet;
+    if (state.isNew) {
+        osg::StateSet& s = state.stateSet;
+        s.setAttribute(c.shaders.program("pass/fullscreen.vert", shader), on);
+        s.setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0, 1, false), osg::StateAttribute::OFF);
+        StateSets::bind(s, 0, {"firstDepthMap", targets.firstDepth.get()});
+        StateSets::bind(s, 1, {"secondDepthMap", targets.secondDepth.get()});
+        StateSets::bind(s, 2, {"firstSlopeMap", targets.firstSlope.get()});
+    }
+    return states;
+}
+
+}  // namespace
+
+void drawMaps(PassBuilder& b, FrameContext& c, const std::string& name, const char* shader, osg::Camera& camera,
+              const ShadowTargets& targets, const std::vector<ShadowRefresh>& refreshes, std::vector<Caster>&& casters)
+{
+    AtlasRefresh& refresh = c.frame.refresh(name);
+    refresh.prepare(targets, refreshes, std::move(casters), statesOf(b, c, shader, targets), c.timed(name));
+    b.draw({name, &refresh, &camera});
+}
+
+void retire(const ShadowTargets& targets, RetiredObjects& retired)
+{
+    for (osg::Texture2D* t : targets.textures()) retired.add(t);
+    for (osg::FrameBufferObject* f : targets.frameBuffers()) retired.add(f);
+}
+
+ShadowAtlas& AtlasOwner::make(unsigned lights, unsigned size)
+{
+    if (_maps && _maps->lights == lights && _maps->size == size) return *_maps;
+    drop();
+    _maps = new ShadowAtlas(lights, size);
+    _camera = new StageCamera;
+    BindTargets::install(*_camera, _maps->targets().maps, _failure.get());
+    return *_maps;
+}
+
+void AtlasOwner::drop()
+{
+    if (_maps) retire(_maps->targets(), *_retired);
+    _maps = nullptr;
+    _camera = nullptr;
+    _refreshes.clear();
+}
+
+unsigned AtlasOwner::update(const FrameContext& c, const LightList& list, unsigned budget)
+{
+    LightList lights = c.inWorld(list);
+    lights.resize(_maps->lights, DirectionalLight{osg::Vec3d(0, 0, 1), osg::Vec3d()});  // dark ones
+    _refreshes = _maps->update(lights, budget);
+    return unsigned(_refreshes.size());
+}
+
+void AtlasOwner::draw(PassBuilder& b, FrameContext& c, const std::string& name)
+{
+    if (_maps && !_refreshes.empty())
+        drawMaps(b, c, name, "pass/midpoint.frag", *_camera, _maps->targets(), _refreshes, _maps->drawn());
+    _refreshes.clear();
+}
+
+void AtlasOwner::resizeGLObjectBuffers(unsigned maximum)
+{
+    if (_maps) _maps->resizeGLObjectBuffers(maximum);
+}
+
+void AtlasOwner::releaseGLObjects(osg::State* state) const
+{
+    if (_maps) _maps->releaseGLObjects(state);
+}
+
+}  // namespace osgEnvLight

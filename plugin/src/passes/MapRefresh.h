@@ -1,0 +1,53 @@
+/* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
+#pragma once
+
+#include "base/Failure.h"
+#include "frame/FrameContext.h"
+#include "frame/PassBuilder.h"
+#include "gl/RetiredObjects.h"
+
+#include <string>
+#include <vector>
+
+namespace osgEnvLight
+{
+
+/** The draw of shadow maps of the sky or of suns.
+ * @param name    of the draw and its time
+ * @param shader  that makes the maps from the first two surfaces */
+void drawMaps(PassBuilder& builder, FrameContext& context, const std::string& name, const char* shader, osg::Camera& camera,
+              const ShadowTargets& targets, const std::vector<ShadowRefresh>& refreshes, std::vector<Caster>&& casters);
+
+/** A draw may still use them. */
+void retire(const ShadowTargets& targets, RetiredObjects& retired);
+
+/** The shadow atlas of a pass, and what it takes to replace it while a draw may still use it. */
+class OSGENVLIGHT_EXPORT AtlasOwner
+{
+  public:
+    AtlasOwner(Failure* failure, RetiredObjects* retired) : _failure(failure), _retired(retired) {}
+    ~AtlasOwner() { drop(); }
+
+    /** Made anew where the counts differ. */
+    ShadowAtlas& make(unsigned lights, unsigned size);
+    void drop();
+
+    /** In update(): choose maps to be drawn in this frame, of lights in the map's frame. How many.
+     * @param budget  at most */
+    unsigned update(const FrameContext& context, const LightList& list, unsigned budget);
+    /** In setup(): draw them. */
+    void draw(PassBuilder& builder, FrameContext& context, const std::string& name);
+
+    size_t bytes() const { return _maps ? _maps->bytes() : 0; }
+    void resizeGLObjectBuffers(unsigned maximum);
+    void releaseGLObjects(osg::State* state) const;
+
+  private:
+    const osg::ref_ptr<Failure> _failure;
+    const osg::ref_ptr<RetiredObjects> _retired;
+    osg::ref_ptr<ShadowAtlas> _maps;
+    osg::ref_ptr<osg::Camera> _camera;
+    std::vector<ShadowRefresh> _refreshes;
+};
+
+}  // namespace osgEnvLight

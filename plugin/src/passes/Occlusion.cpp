@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "passes/Occlusion.h"
+
+#include "passes/Inputs.h"
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+Requirement requireBounce(const FrameContext& c)
+{
+    Requirement bounce;
+    bounce.unless(c.settings.bounce == Settings::BOUNCE_OFF, "switched off");
+    bounce.unless(!c.decisions.occlusion.needed, "no light is blocked");
+    return bounce.unless(!c.decisions.atlas.needed, "without the atlas nobody knows how much of the map a surface sees");
+}
+
+// S is occluded by what the atlas knows.
+bool occludesLobes(const FrameContext& c)
+{
+    const bool glossy = c.facts.surfaces.phong || c.facts.surfaces.cookTorrance;
+    return c.decisions.atlas.needed && c.settings.specular && glossy;
+}
+
+// What a still view's later frames read again of its first.
+TextureDesc ofFirstFrame(const FrameContext& c, GLint format, int side = 0)
+{
+    return {format, side, c.still != nullptr};
+}
+
+}  // namespace
+
+Requirement OcclusionPass::require(const FrameContext& c) const
+{
+    return c.decisions.occlusion;
+}
+
+void OcclusionPass::setup(PassBuilder& b, FrameContext& c)
+{
+    b.readGBuffer();
+    if (c.decisions.atlas.needed) {
+        b.define("HAS_ATLAS");
+        readSkyMaps(b, c, "atlas", *c.skyMaps, c.nearSkyMaps);
+    } else {
+        b.bind(c.textures.occlusionLights(c.decisions.occlusionLights), "occlusionLightMap");
+    }
+    // Beside the atlas it is slices, whatever the method of the screen alone.
+    static const char* const methods[] = {"OCCLUSION_SLICES", "OCCLUSION_RAYS", "OCCLUSION_POINTS", "OCCLUSION_HORIZONS",
+                                          "OCCLUSION_BENT_NORMAL"};
+    if (c.decisions.screen) b.define(methods[c.decisions.atlas.needed ? Settings::SLICE : c.settings.occlusionMethod]);
+    b.write(b.create("seen light"));
+    b.write(b.create("all light"));
+    if (!occludesLobes(c)) return;
+    b.define("HAS_LOBES");
+    b.write(b.create("seen lobe"));
+}
+
+Requirement FilterPass::require(const FrameContext& c) const
+{
+    Requirement filter = c.decisions.occlusion;
+    return filter.because("averages the 16 groups of lights");
+}
+
+void FilterPass::setup(PassBuilder& b, FrameContext& c)
+{
+    b.readGBuffer();
+    b.define("COMBINE_SUBTRACT", c.settings.combine == Settings::SUBTRACT);
+    b.read(b.find("seen light"), "numMap");
+    b.read(b.find("all light"), "denMap");
+    b.write(b.create("occlusion", ofFirstFrame(c, GL_RGBA16F_ARB)));
+    if (b.read("seen lobe", "lobeMap")) {
+        b.define("HAS_LOBES");
+        b.write(b.create("lobe visibility", ofFirstFrame(c, GL_RGBA16F_ARB)));
+    }
+    if (c.still && c.still->frames() > 0) b.keepContents();
+}
+
+Requirement BouncePass::require(const FrameContext& c) const
+{
+    return requireBounce(c).because("mean radiance of the picture where light is blocked");
+}
+
+void BouncePass::setup(PassBuilder& b, FrameContext& c)
+{
+    b.readGBuffer();
+    readDiffuseTerms(b, c);
+    for (const char* name : {"bounce plain", "bounce x", "bounce y", "bounce z", "bounce sent"})
+        b.write(b.create(name, {GL_RGBA32F_ARB, side}));
+}
+
+Requirement BounceSumPass::require(const FrameContext& c) const
+{
+    return requireBounce(c).because("the sum of its blocks");
+}
+
+void BounceSumPass::setup(PassBuilder& b, FrameContext& c)
+{
+    b.read(b.find("bounce plain"), "plainMap");
+    b.read(b.find("bounce x"), "alongXMap");
+    b.read(b.find("bounce y"), "alongYMap");
+    b.read(b.find("bounce z"), "alongZMap");
+    b.read(b.find("bounce sent"), "sentOnMap");
+    const int sums = 8;  // five are used
+    b.write(b.create("bounce", ofFirstFrame(c, GL_RGBA32F_ARB, sums)));
+    if (c.still && c.still->frames() > 0) b.keepContents();
+}
+
+}  // namespace osgEnvLight

@@ -1,0 +1,47 @@
+/* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
+#pragma once
+
+#include "frame/RenderPass.h"
+
+namespace osgEnvLight
+{
+
+/** First half of O: each pixel of a 4x4 cell sums another group of the map's lights, those that it sees and all. */
+class OSGENVLIGHT_EXPORT OcclusionPass : public RenderPass
+{
+  public:
+    const char* name() const override { return "occlusion"; }
+    Requirement require(const FrameContext& context) const override;
+    void setup(PassBuilder& builder, FrameContext& context) override;
+};
+
+/** Second half: the ratio of these sums over cells. */
+class OSGENVLIGHT_EXPORT FilterPass : public RenderPass
+{
+  public:
+    const char* name() const override { return "filter"; }
+    Requirement require(const FrameContext& context) const override;
+    void setup(PassBuilder& builder, FrameContext& context) override;
+};
+
+/** Sums of the radiance that blocked directions show, over blocks of the picture. */
+class OSGENVLIGHT_EXPORT BouncePass : public RenderPass
+{
+  public:
+    const char* name() const override { return "bounce"; }
+    Requirement require(const FrameContext& context) const override;
+    void setup(PassBuilder& builder, FrameContext& context) override;
+
+    static constexpr int side = 32;  // blocks along each side of the picture, as in pass/bounce.frag
+};
+
+/** Those sums over all blocks. */
+class OSGENVLIGHT_EXPORT BounceSumPass : public RenderPass
+{
+  public:
+    const char* name() const override { return "bouncesum"; }
+    Requirement require(const FrameContext& context) const override;
+    void setup(PassBuilder& builder, FrameContext& context) override;
+};
+
+}  // namespace osgEnvLight

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "passes/Output.h"
+
+#include "passes/Inputs.h"
+
+namespace osgEnvLight
+{
+
+Requirement CompositePass::require(const FrameContext& c) const
+{
+    Requirement composite;
+    return composite.because("into the host's colour and depth, " + c.behind);
+}
+
+void CompositePass::setup(PassBuilder& b, FrameContext& c)
+{
+    const Settings& s = c.settings;
+    b.writeHost();
+    b.readGBuffer();
+    if (c.still && c.still->frames() > 0) {
+        b.define("ACCUMULATED");
+        b.define("BACKGROUND", c.background != Settings::BACKGROUND_OFF);
+        b.read(b.find("still picture"), "stillMap");
+        b.read(b.find("average"), "accumulatedMap");
+    } else {
+        readPicture(b, c);
+    }
+    b.define("OUTPUT_LINEAR", s.output == Settings::LINEAR);
+    b.define("VIEW_TERM", s.view != Settings::BEAUTY);
+    if (s.view != Settings::LIGHT_LIST) return;
+    b.bind(c.textures.diffuseLights(), "diffuseLightMap");
+    readSuns(b, c);
+}
+
+Requirement ForwardPass::require(const FrameContext& c) const
+{
+    Requirement forward;
+    forward.unless(c.facts.surfaces.litForward == 0, "no transparent surface in view");
+    return forward.because(counted(c.facts.surfaces.litForward, "transparent drawables, in the host's order"));
+}
+
+void ForwardPass::setup(PassBuilder& b, FrameContext& c)
+{
+    osg::StateSet& s = *c.frame.forwardState;
+    b.fill(s);
+    s.setAttribute(c.shaders.program("pass/surface.vert", "pass/forward.frag"),
+                   osg::StateAttribute::ON | osg::StateAttribute::PROTECTED);
+    s.addUniform(new osg::Uniform("baseColorMap", 0));
+    b.frameUniforms(c.frame.uniforms.get());
+    b.uniform(c.textures.harmonics());
+    b.bind(c.textures.pyramid(), "pyramidMap");
+    b.bind(c.albedoTable, "albedoTable");
+    b.define("OUTPUT_LINEAR", c.settings.output == Settings::LINEAR);
+    if (!c.textures.suns().empty()) {
+        b.define("HAS_SUNS");
+        b.define("SUN_DIFFUSE", c.settings.suns == Settings::SUNS_AUTO);
+        readSuns(b, c);
+    }
+    const auto addPlace = [&](const char* name, const osg::Vec3d& origin) {
+        s.addUniform(new osg::Uniform(name, osg::Matrixf(c.worldFromEye * osg::Matrixd::translate(-origin))));
+    };
+    if (c.skyMaps) {
+        b.define("HAS_ATLAS");
+        readSkyMaps(b, c, "atlas", *c.skyMaps, c.nearSkyMaps);
+        addPlace("atlasFromEye", c.skyMaps->origin());
+    }
+    if (c.sunMaps) {
+        b.define("HAS_SUN_MAPS");
+        readSunMaps(b, c);
+        addPlace("sunsFromEye", c.sunMaps->targets().origin);
+    }
+    if (!c.lights.empty()) {
+        b.define("HAS_SCENE_LIGHTS");
+        b.frameUniforms(&c.frame.sceneLightState());
+    }
+    if (b.read("bounce", "bounceMap")) b.define("HAS_BOUNCE");
+}
+
+}  // namespace osgEnvLight

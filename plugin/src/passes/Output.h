@@ -1,0 +1,27 @@
+/* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
+#pragma once
+
+#include "frame/RenderPass.h"
+
+namespace osgEnvLight
+{
+
+/** The picture, or any intermediate in its place, into the host's colour and depth. */
+class OSGENVLIGHT_EXPORT CompositePass : public RenderPass
+{
+  public:
+    const char* name() const override { return "composite"; }
+    Requirement require(const FrameContext& context) const override;
+    void setup(PassBuilder& builder, FrameContext& context) override;
+};
+
+/** What the transparent surfaces of the host are drawn with, after the composite and in its own bins. */
+class OSGENVLIGHT_EXPORT ForwardPass : public RenderPass
+{
+  public:
+    const char* name() const override { return "forward"; }
+    Requirement require(const FrameContext& context) const override;
+    void setup(PassBuilder& builder, FrameContext& context) override;
+};
+
+}  // namespace osgEnvLight

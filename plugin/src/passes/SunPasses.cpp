@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "passes/SunPasses.h"
+
+#include "gl/BindTargets.h"
+#include "passes/Inputs.h"
+#include "shadow/VisibleBoxes.h"
+
+#include <osgUtil/CullVisitor>
+
+#include <algorithm>
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+Requirement requireShadows(const FrameContext& c)
+{
+    Requirement shadows = c.decisions.sunMaps;
+    return shadows.unless(c.facts.surfaces.deferred == 0, Decisions::onlyForward);
+}
+
+std::string numbered(const char* name, unsigned i)
+{
+    return name + std::to_string(i);
+}
+
+}  // namespace
+
+Requirement Suns::require(const FrameContext& c) const
+{
+    return c.decisions.suns;
+}
+
+Requirement SunMaps::require(const FrameContext& c) const
+{
+    return c.decisions.sunMaps;
+}
+
+SunShadows& SunMaps::make(unsigned suns, unsigned levels, unsigned size)
+{
+    if (_maps && _maps->suns == suns) levels = std::max(levels, _maps->levels);  // those once there stay
+    size = SunShadows::sizeOf(suns * levels, size);
+    if (_maps && _maps->suns == suns && _maps->levels == levels && _maps->size == size) return *_maps;
+    drop();
+    _maps = new SunShadows(suns, levels, size);
+    _camera = new StageCamera;
+    BindTargets::install(*_camera, _maps->targets().maps, _failure.get());
+    return *_maps;
+}
+
+void SunMaps::drop()
+{
+    if (_maps) retire(_maps->targets(), *_retired);
+    _maps = nullptr;
+    _camera = nullptr;
+    _refreshes.clear();
+}
+
+void SunMaps::update(FrameContext& c)
+{
+    if (c.needsSunMaps()) {
+        const ShadowView view{c.worldFromEye, *c.cv.getProjectionMatrix(), c.height()};
+        const auto size = unsigned(c.settings.sunShadowSize);
+        const VisibleBoxes boxes(c.casters, view);
+        const unsigned levels = SunShadows::wantedLevels(boundOf(c.casters), view, boxes, size);
+        SunShadows& shadows = make(c.facts.suns.count, levels, size);
+        _refreshes = shadows.update(c.casters, c.inWorld(c.textures.suns()), view, boxes);
+        c.drawnSunMaps = unsigned(_refreshes.size());
+    }
+    c.sunMaps = _maps.get();
+}
+
+void SunMaps::setup(PassBuilder& b, FrameContext& c)
+{
+    if (!_refreshes.empty()) {
+        auto casters = std::vector<Caster>(_maps->casters());
+        drawMaps(b, c, name(), "pass/sunmap.frag", *_camera, _maps->targets(), _refreshes, std::move(casters));
+    }
+    _refreshes.clear();
+}
+
+void SunMaps::dismiss(FrameContext& c)
+{
+    if (!(c.showsNothing && Decisions::wantsSunMaps(c.settings))) drop();
+}
+
+void SunMaps::resizeGLObjectBuffers(unsigned maximum)
+{
+    if (_maps) _maps->resizeGLObjectBuffers(maximum);
+}
+
+void SunMaps::releaseGLObjects(osg::State* state) const
+{
+    if (_maps) _maps->releaseGLObjects(state);
+}
+
+Requirement SunShadowPass::require(const FrameContext& c) const
+{
+    return requireShadows(c).because("2 points of each disc a pixel, 16 more in penumbrae");
+}
+
+void SunShadowPass::setup(PassBuilder& b, FrameContext& c)
+{
+    if (!c.needsSunMaps()) return;
+    b.readGBuffer();
+    readSunMaps(b, c);
+    b.read("emission", "emissionMap");
+    readSuns(b, c);
+    for (unsigned i = 0; i < (c.facts.suns.count + 1) / 2; ++i) b.write(b.create(numbered("sun points ", i)));
+}
+
+Requirement SunFilterPass::require(const FrameContext& c) const
+{
+    return requireShadows(c).because("averages within penumbrae");
+}
+
+void SunFilterPass::setup(PassBuilder& b, FrameContext& c)
+{
+    if (!c.needsSunMaps()) return;
+    b.readGBuffer();
+    readSunMaps(b, c);
+    b.read("emission", "emissionMap");
+    const unsigned pairs = (c.facts.suns.count + 1) / 2;
+    for (unsigned i = 0; i < 4; ++i) b.read(b.find(numbered("sun points ", std::min(i, pairs - 1))), numbered("sunSeenMap", i));
+    readSuns(b, c);
+    for (unsigned i = 0; i < (c.facts.suns.count + 3) / 4; ++i) b.write(b.create(numbered("sun visibility ", i)));
+}
+
+}  // namespace osgEnvLight

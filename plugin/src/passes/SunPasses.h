@@ -1,0 +1,66 @@
+/* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
+#pragma once
+
+#include "frame/RenderPass.h"
+#include "passes/MapRefresh.h"
+
+namespace osgEnvLight
+{
+
+/** Draws nothing: the line of the plan that says which suns there are. */
+class OSGENVLIGHT_EXPORT Suns : public RenderPass
+{
+  public:
+    const char* name() const override { return "suns"; }
+    Requirement require(const FrameContext& context) const override;
+    void setup(PassBuilder&, FrameContext&) override {}
+};
+
+/** The suns' shadow maps of a view, drawn when they change. */
+class OSGENVLIGHT_EXPORT SunMaps : public RenderPass
+{
+  public:
+    SunMaps(Failure* failure, RetiredObjects* retired) : _failure(failure), _retired(retired) {}
+
+    const char* name() const override { return "sunmap"; }
+    Requirement require(const FrameContext& context) const override;
+    void update(FrameContext& context) override;
+    void setup(PassBuilder& builder, FrameContext& context) override;
+    void dismiss(FrameContext& context) override;
+    size_t bytes() const override { return _maps ? _maps->bytes() : 0; }
+    void resizeGLObjectBuffers(unsigned maximum) override;
+    void releaseGLObjects(osg::State* state) const override;
+
+  protected:
+    ~SunMaps() override { drop(); }
+
+  private:
+    SunShadows& make(unsigned suns, unsigned levels, unsigned size);
+    void drop();
+
+    const osg::ref_ptr<Failure> _failure;
+    const osg::ref_ptr<RetiredObjects> _retired;
+    osg::ref_ptr<SunShadows> _maps;
+    osg::ref_ptr<osg::Camera> _camera;
+    std::vector<ShadowRefresh> _refreshes;
+};
+
+/** What each pixel sees of the suns: a few points of each disc. */
+class OSGENVLIGHT_EXPORT SunShadowPass : public RenderPass
+{
+  public:
+    const char* name() const override { return "sunshadow"; }
+    Requirement require(const FrameContext& context) const override;
+    void setup(PassBuilder& builder, FrameContext& context) override;
+};
+
+/** The same with more points, and its neighbours', within penumbrae. */
+class OSGENVLIGHT_EXPORT SunFilterPass : public RenderPass
+{
+  public:
+    const char* name() const override { return "sunfilter"; }
+    Requirement require(const FrameContext& context) const override;
+    void setup(PassBuilder& builder, FrameContext& context) override;
+};
+
+}  // namespace osgEnvLight

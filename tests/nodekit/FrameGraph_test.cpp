@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// The frame graph: a pass of a user's own, which passes are dropped, what their times are.
+#include "frame/FrameContext.h"
+#include "frame/FrameGraph.h"
+
+#include <SceneRenderer.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+using osgEnvLight::FrameContext;
+using osgEnvLight::FrameGraph;
+using osgEnvLight::LitScene;
+using osgEnvLight::PassBuilder;
+using osgEnvLight::Requirement;
+using osgEnvLight::Settings;
+
+namespace
+{
+
+// Adds a constant to what surfaces emit.
+class GlowPass : public osgEnvLight::RenderPass
+{
+  public:
+    explicit GlowPass(const osg::Vec3f& glow) : _glow(new osg::Uniform("glow", glow)) {}
+
+    const char* name() const override { return "glow"; }
+    Requirement require(const FrameContext& c) const override
+    {
+        Requirement glow;
+        return glow.unless(c.facts.surfaces.deferred == 0, "nothing to glow").because("for the test");
+    }
+    void setup(PassBuilder& b, FrameContext&) override
+    {
+        b.readGBuffer();
+        b.uniform(_glow.get());
+        b.addTo(b.find("emission"));
+    }
+
+  private:
+    osg::ref_ptr<osg::Uniform> _glow;
+};
+
+// Draws into a texture that nobody reads.
+class UnreadPass : public osgEnvLight::RenderPass
+{
+  public:
+    const char* name() const override { return "unread"; }
+    Requirement require(const FrameContext&) const override { return {true, "for the test"}; }
+    void setup(PassBuilder& b, FrameContext&) override { b.write(b.create("unread texture")); }
+};
+
+// Reads more than OpenGL has units for, or what nobody makes.
+class GreedyPass : public osgEnvLight::RenderPass
+{
+  public:
+    explicit GreedyPass(bool many) : _many(many) {}
+
+    const char* name() const override { return "greedy"; }
+    Requirement require(const FrameContext&) const override { return {true, "for the test"}; }
+    void setup(PassBuilder& b, FrameContext&) override
+    {
+        for (int i = 0; _many && i < 17; ++i) b.read("albedo", "map" + std::to_string(i));
+        if (!_many) b.read(b.find("no such texture"), "missingMap");
+        b.write(b.create("greedy texture"));
+        b.drawAlways();
+    }
+
+  private:
+    const bool _many;
+};
+
+class WithPasses : public LitScene
+{
+  public:
+    using LitScene::LitScene;
+    void addPasses(FrameGraph& graph) override
+    {
+        for (const auto& pass : passes) graph.add(pass);
+    }
+    std::vector<osg::ref_ptr<osgEnvLight::RenderPass>> passes;
+};
+
+// The shaders of these passes, where the library looks for those that replace its own.
+class ShaderFolder
+{
+  public:
+    ShaderFolder() : _path(std::filesystem::temp_directory_path() / ("envlight_graph_" + std::to_string(getpid())))
+    {
+        std::filesystem::create_directories(_path / "pass");
+        std::ofstream(_path / "pass" / "glow.frag") << "#version 330 compatibility\n"
+                                                       "#include \"pass/gbuffer.glsl\"\n"
+                                                       "uniform vec3 glow;\n"
+                                                       "layout(location = 0) out vec4 emission;\n"
+                                                       "void main() { emission = isBackground(ivec2(gl_FragCoord.xy)) ? "
+                                                       "vec4(0.0) : vec4(glow, 0.0); }\n";
+        std::ofstream(_path / "pass" / "unread.frag") << "#version 330 compatibility\nvoid main() { this does not compile; }\n";
+        setenv("ENVLIGHT_SHADER_PATH", _path.c_str(), 1);
+    }
+    ~ShaderFolder()
+    {
+        unsetenv("ENVLIGHT_SHADER_PATH");
+        std::filesystem::remove_all(_path);
+    }
+
+  private:
+    std::filesystem::path _path;
+};
+
+osg::ref_ptr<WithPasses> makeScene()
+{
+    osg::ref_ptr<WithPasses> lit = new WithPasses(constantMap(1.0).get());
+    Settings& s = *lit->getSettings();
+    s.output = Settings::LINEAR;
+    s.atlasLights = 16;
+    s.atlasSize = 64;
+    lit->addChild(makeSphere(osg::Vec3d(), 1.0, 32));
+    return lit;
+}
+
+class FrameGraphTest : public testing::Test
+{
+  protected:
+    FrameGraphTest() : renderer(32, 32) { renderer.lookAt(osg::Vec3d(0, -6, 0), osg::Vec3d()); }
+
+    const ShaderFolder folder;
+    SceneRenderer renderer;
+};
+
+}  // namespace
+
+TEST_F(FrameGraphTest, HasAPassOfTheUsers)
+{
+    osg::ref_ptr<WithPasses> plain = makeScene(), glowing = makeScene();
+    const osg::Vec3d glow(0.5, 0.25, 0.125);  // which half floats hold
+    glowing->passes.push_back(new GlowPass(osg::Vec3f(glow)));
+    const Picture before = renderer.render(plain, 2), after = renderer.render(glowing, 2);
+    const osg::Vec3d added = after.color(16, 16) - before.color(16, 16);
+    // Half floats of sums up to 2 are 2^-10 apart; what glows also sends light on, here to nothing that it blocks.
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(added[k], glow[k], 1e-3) << k;
+    EXPECT_EQ(before.color(0, 0), after.color(0, 0));
+    EXPECT_TRUE(glowing->plan().runs("glow"));
+    EXPECT_EQ("for the test", glowing->plan().reason("glow"));
+}
+
+TEST_F(FrameGraphTest, DropsWhatNobodyReads)
+{
+    osg::ref_ptr<WithPasses> lit = makeScene();
+    const size_t plain = (renderer.render(lit, 2), lit->textureBytes());
+    osg::ref_ptr<WithPasses> unread = makeScene();
+    unread->passes.push_back(new UnreadPass);
+    unread->setTimed(true);
+    // Its shader would be an error, if it were made.
+    EXPECT_GT(renderer.render(unread, 4).color(16, 16)[0], 0.0);
+    EXPECT_EQ(plain, unread->textureBytes());
+    for (const auto& r : unread->plan().passes) EXPECT_TRUE(r.pass != "unread" || r.cpu < 0.0);
+}
+
+TEST_F(FrameGraphTest, NamesWhatAPassMayNotRead)
+{
+    for (const bool many : {true, false}) {
+        osg::ref_ptr<WithPasses> lit = makeScene();
+        lit->passes.push_back(new GreedyPass(many));
+        NotifyCatcher notices;
+        renderer.render(lit, 1);
+        const std::string text = notices.text();
+        EXPECT_NE(std::string::npos, text.find("greedy reads")) << text;
+        EXPECT_NE(std::string::npos, text.find(many ? "map16" : "missingMap")) << text;
+    }
+}
+
+// Of one frame: a pass that is not drawn in it has no time.
+TEST_F(FrameGraphTest, TimesAreOfOneFrame)
+{
+    osg::ref_ptr<WithPasses> lit = makeScene();
+    lit->setTimed(true);
+    renderer.render(lit, 3);
+    bool drawn = false;
+    for (int i = 0; i < 6; ++i) {
+        lit->getSettings()->atlasLights = i % 2 ? 16 : 32;  // all maps anew
+        renderer.render(lit, 1);
+        for (const auto& r : lit->plan().passes) drawn = drawn || (r.pass == "atlas" && r.cpu > 0.0);
+    }
+    EXPECT_TRUE(drawn);
+    renderer.render(lit, 6);
+    for (const auto& r : lit->plan().passes) {
+        const bool draws = r.pass == "gbuffer" || r.pass == "diffuse" || r.pass == "occlusion" || r.pass == "filter" ||
+                           r.pass == "bounce" || r.pass == "bouncesum" || r.pass == "composite";
+        EXPECT_EQ(draws, r.cpu > 0.0) << r.pass;
+    }
+}
+
+TEST_F(FrameGraphTest, EveryPassIsInThePlan)
+{
+    osg::ref_ptr<WithPasses> lit = makeScene();
+    renderer.render(lit, 1);
+    for (const char* pass : {"gbuffer",   "scenelights", "seen",       "atlas",      "stillmaps", "suns",     "sunmap",
+                             "sunshadow", "sunfilter",   "diffuse",    "occlusion",  "filter",    "specular", "bounce",
+                             "bouncesum", "still",       "accumulate", "stillerror", "composite", "forward"})
+        EXPECT_NE("", lit->plan().reason(pass)) << pass;
+}
