@@ -5,6 +5,7 @@
 #pragma import_defines(HAS_NEIGHBOURHOOD)
 
 #include "lib/atlas.glsl"
+#include "lib/limits.glsl"
 
 uniform sampler2D atlasMap;
 uniform sampler2D atlasLightMap; // rows 4q .. 4q + 3 of group q: texels across, texels up, height, each with its
@@ -13,7 +14,7 @@ uniform int atlasSize;           // of a map, in texels
 uniform float atlasTexel;        // its side in the world
 uniform mat4 atlasFromEye;
 #ifdef HAS_NEIGHBOURHOOD
-uniform sampler2D finerAtlasMap; // of what lies about the view; its rows of atlasLightMap follow from 64 on, the last with 1,
+uniform sampler2D finerAtlasMap; // of what lies about the view; its rows of atlasLightMap follow from 4 LIGHT_GROUPS on, the last with 1,
                                  // or -1 where there is no map of that light yet
 uniform vec4 neighbourhood;      // centre and radius of what it shows
 uniform float neighbourhoodTexel;
@@ -68,7 +69,7 @@ float neighbourhoodSees(AtlasLight light, vec3 p, vec3 n, float cosine)
     // Each light's ends elsewhere: the two atlases go over into each other.
     float end = mix(0.8, 1.0, fract(float(map) * 0.61803399));
     if (length(p - neighbourhood.xyz) >= end * neighbourhood.w) return -1.0;
-    ivec2 row = ivec2(light.index, 64 + 4 * light.group);
+    ivec2 row = ivec2(light.index, 4 * (LIGHT_GROUPS + light.group));
     if (texelFetch(atlasLightMap, row + ivec2(0, 3), 0).a < 0.0) return -1.0;
     vec4 place = atlasPlace(row, atlasLookupPoint(p, n, cosine, neighbourhoodTexel), n);
     // A map may still be where the neighbourhood was before.

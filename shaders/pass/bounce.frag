@@ -3,6 +3,7 @@
 // First step to the mean radiosity of what blocks light, estimated from the picture where light is blocked [indirect.md 0, 2]:
 // one texel for each block of the picture. No history: still frames stay the same to the bit.
 
+#include "lib/limits.glsl"
 #include "pass/gbuffer.glsl"
 #include "pass/terms.glsl"
 
@@ -13,7 +14,6 @@ layout(location = 2) out vec4 alongY;
 layout(location = 3) out vec4 alongZ;
 layout(location = 4) out vec4 sentOn;
 
-const int blocks = 32;   // along each side of the picture
 const int samples = 16;  // along each side of a block, at most
 
 void main()
@@ -21,8 +21,8 @@ void main()
     plain = alongX = alongY = alongZ = sentOn = vec4(0.0);
     ivec2 size = textureSize(depthMap, 0);
     ivec2 block = ivec2(gl_FragCoord.xy);
-    ivec2 from = size * block / blocks;
-    ivec2 to = size * (block + 1) / blocks;
+    ivec2 from = size * block / BOUNCE_BLOCKS;
+    ivec2 to = size * (block + 1) / BOUNCE_BLOCKS;
     ivec2 stride = (to - from + samples - 1) / samples;
     for (int y = from.y + stride.y / 2; y < to.y; y += stride.y)
         for (int x = from.x + stride.x / 2; x < to.x; x += stride.x) {

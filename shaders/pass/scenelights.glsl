@@ -3,14 +3,15 @@
 #ifndef PASS_SCENELIGHTS_GLSL
 #define PASS_SCENELIGHTS_GLSL
 
+#include "lib/limits.glsl"
 #include "lib/scenelight.glsl"
 #include "pass/hostcolor.glsl"
 
 uniform int sceneLightCount;
-uniform vec3 sceneLightColor[8];
-uniform vec4 sceneLightPosition[8]; // w = 0: direction to it
-uniform vec4 sceneLightSpot[8];     // direction, cosine of the cutoff; below -1: no cone
-uniform vec4 sceneLightFalloff[8];  // constant, linear, quadratic; exponent of the spot
+uniform vec3 sceneLightColor[MOST_SCENE_LIGHTS];
+uniform vec4 sceneLightPosition[MOST_SCENE_LIGHTS]; // w = 0: direction to it
+uniform vec4 sceneLightSpot[MOST_SCENE_LIGHTS];     // direction, cosine of the cutoff; below -1: no cone
+uniform vec4 sceneLightFalloff[MOST_SCENE_LIGHTS];  // constant, linear, quadratic; exponent of the spot
 
 // The colour of light i at a point, and the unit direction to it.
 vec3 sceneLightAt(int i, vec3 eye, out vec3 direction)

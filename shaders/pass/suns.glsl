@@ -4,12 +4,13 @@
 #define SUNS_GLSL
 #pragma import_defines(HAS_SUN_SHADOWS)
 
+#include "lib/limits.glsl"
 #include "lib/sun.glsl"
 
 uniform int sunCount;
-uniform vec3 sunDirection[8];
-uniform vec3 sunRadiance[8];
-uniform float sunRadius[8];
+uniform vec3 sunDirection[MOST_SUNS];
+uniform vec3 sunRadiance[MOST_SUNS];
+uniform float sunRadius[MOST_SUNS];
 
 // About the normal n, in the map's frame.
 vec3 sunIrradianceOverPi(vec3 n)

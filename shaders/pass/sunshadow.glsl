@@ -9,9 +9,9 @@
 uniform sampler2D sunShadowMaps; // a row for each sun, the map of the whole scene first
 uniform int sunMapSize;          // of a map, in texels
 uniform int sunShadowLevels;     // maps of a sun
-uniform vec3 sunAxes[24];        // of each sun across, up, towards it
-uniform vec2 sunHeights[8];      // lowest and highest point along the third
-uniform vec4 sunLevels[32];      // texels per unit of the world along the first two axes, and the offsets
+uniform vec3 sunAxes[3 * MOST_SUNS];        // of each sun across, up, towards it
+uniform vec2 sunHeights[MOST_SUNS];      // lowest and highest point along the third
+uniform vec4 sunLevels[MOST_SUN_LEVELS * MOST_SUNS];      // texels per unit of the world along the first two axes, and the offsets
 
 // A surface in a pixel, in the world about that origin.
 struct SunPixel {
@@ -31,16 +31,16 @@ vec2 sunTexels(vec4 level, int sun, vec3 point)
 // The finest map that shows the point. The border between two is scattered over a sixteenth of their width.
 SunMap sunMapAt(int sun, SunPixel s)
 {
-    vec4 whole = sunLevels[4 * sun];
+    vec4 whole = sunLevels[MOST_SUN_LEVELS * sun];
     float size = float(sunMapSize);
     float margin = 2.0 + size / 16.0 * (float(s.group) + 0.5) / 16.0;
     int level = sunShadowLevels - 1;
     for (; level > 0; --level) {
-        if (sunLevels[4 * sun + level].x <= 0.0) continue;
-        vec2 xy = sunTexels(sunLevels[4 * sun + level], sun, s.point);
+        if (sunLevels[MOST_SUN_LEVELS * sun + level].x <= 0.0) continue;
+        vec2 xy = sunTexels(sunLevels[MOST_SUN_LEVELS * sun + level], sun, s.point);
         if (min(xy.x, xy.y) >= margin && max(xy.x, xy.y) <= size - margin) break;
     }
-    vec4 own = sunLevels[4 * sun + level];
+    vec4 own = sunLevels[MOST_SUN_LEVELS * sun + level];
     SunMap m;
     m.corner = ivec2(level, sun) * sunMapSize;
     m.size = sunMapSize;
@@ -60,7 +60,7 @@ vec2 sunSeen(int sun, SunPixel s, int count)
     vec3 n = vec3(dot(s.normal, sunAxes[3 * sun]), dot(s.normal, sunAxes[3 * sun + 1]), dot(s.normal, sunAxes[3 * sun + 2]));
     if (n.z <= -spread) return vec2(1.0, 0.0);
     SunMap m = sunMapAt(sun, s);
-    vec4 level = sunLevels[4 * sun + m.corner.x / sunMapSize];
+    vec4 level = sunLevels[MOST_SUN_LEVELS * sun + m.corner.x / sunMapSize];
     float finest = max(level.x, level.y);
     vec2 perHeight = level.xy / finest; // texels across that are as long as one of height
     SunReceiver r;

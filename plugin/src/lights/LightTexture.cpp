@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lights/LightTexture.h"
 
+#include "base/Limits.h"
+
 #include "gl/TargetTexture.h"
 #include "environment/SphericalHarmonics.h"
 
@@ -18,7 +20,7 @@ namespace osgEnvLight
 namespace
 {
 
-const size_t dealtGroups = 16;
+const size_t dealtGroups = limits::LIGHT_GROUPS;
 const int lastBand = 6;
 const size_t moments = 49;
 

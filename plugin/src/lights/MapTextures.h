@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lights/DiffuseCarrier.h"
+#include "base/Limits.h"
 #include "environment/DominantLight.h"
 #include "lights/LightStream.h"
 #include "environment/MapPyramid.h"
@@ -22,7 +23,7 @@ class OSGENVLIGHT_EXPORT MapTextures : public osg::Referenced
 {
   public:
     /** Suns at most; further ones stay in the map. */
-    static constexpr unsigned maximumSuns = 8;
+    static constexpr unsigned maximumSuns = limits::MOST_SUNS;
 
     /** Which parts were asked for, and what the next state of the same image goes on from. A value. */
     struct Continuation {

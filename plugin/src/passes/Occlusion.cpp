@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "passes/Occlusion.h"
 
+#include "base/Limits.h"
 #include "passes/Inputs.h"
 
 namespace osgEnvLight
@@ -87,7 +88,7 @@ void BouncePass::setup(PassBuilder& b, FrameContext& c)
     b.readGBuffer();
     readDiffuseTerms(b, c);
     for (const char* name : {"bounce plain", "bounce x", "bounce y", "bounce z", "bounce sent"})
-        b.write(b.create(name, {GL_RGBA32F_ARB, side}));
+        b.write(b.create(name, {GL_RGBA32F_ARB, limits::BOUNCE_BLOCKS}));
 }
 
 Requirement BounceSumPass::require(const FrameContext& c) const

@@ -31,8 +31,6 @@ class OSGENVLIGHT_EXPORT BouncePass : public RenderPass
     const char* name() const override { return "bounce"; }
     Requirement require(const FrameContext& context) const override;
     void setup(PassBuilder& builder, FrameContext& context) override;
-
-    static constexpr int side = 32;  // blocks along each side of the picture, as in pass/bounce.frag
 };
 
 /** Those sums over all blocks. */

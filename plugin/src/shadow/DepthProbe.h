@@ -1,6 +1,8 @@
 /* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
 #pragma once
 
+#include "base/Limits.h"
+
 #include <osgEnvLight/Export>
 
 #include <osg/BufferObject>
@@ -26,7 +28,7 @@ struct ProbedPoints {
 class OSGENVLIGHT_EXPORT DepthProbe : public osg::Referenced
 {
   public:
-    static constexpr int side = 16;  // points measured along each side of the picture, as in pass/seen.frag
+    static constexpr int side = limits::PROBE_SIDE;  // points measured along each side of the picture
 
     DepthProbe();
 

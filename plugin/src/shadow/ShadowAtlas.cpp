@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "shadow/ShadowAtlas.h"
 
+#include "base/Limits.h"
+
 #include "lights/MapSequence.h"
 #include "lights/SolidAngles.h"
 
@@ -16,6 +18,8 @@ namespace osgEnvLight
 namespace
 {
 
+const unsigned groups = limits::LIGHT_GROUPS;
+
 // A map whose light has moved by more than this [chord] is drawn again; if further than the second, it is another light's.
 const double movedLight = 1e-4;
 const double anotherLight = 0.2;
@@ -29,7 +33,7 @@ bool sameLights(const LightList& a, const LightList& b)
 
 void writeRow(osg::Image& image, unsigned light, unsigned row, const osg::Vec3d& v, double w)
 {
-    float* out = reinterpret_cast<float*>(image.data(light / 16, 4 * (light % 16) + row));
+    float* out = reinterpret_cast<float*>(image.data(light / groups, 4 * (light % groups) + row));
     for (int k = 0; k < 3; ++k) out[k] = float(v.ptr()[k]);
     out[3] = float(w);
 }
@@ -205,7 +209,7 @@ bool ShadowAtlas::showsAs(const ShadowAtlas& other, unsigned index) const
 osg::ref_ptr<osg::Image> ShadowAtlas::lightImage(double scale, const ShadowAtlas* finer) const
 {
     osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->allocateImage(int(lights / 16), finer ? 128 : 64, 1, GL_RGBA, GL_FLOAT);
+    image->allocateImage(int(lights / groups), int(4 * groups) * (finer ? 2 : 1), 1, GL_RGBA, GL_FLOAT);
     image->setInternalTextureFormat(GL_RGBA32F_ARB);
     for (unsigned i = 0; i < lights; ++i) {
         const Map& map = _maps[i];
@@ -215,7 +219,7 @@ osg::ref_ptr<osg::Image> ShadowAtlas::lightImage(double scale, const ShadowAtlas
         else
             writeRow(*image, i, 3, _list[i].flux * scale, -std::max(_solidAngles[i], 1e-6));
         if (!finer) continue;
-        finer->writePlace(*image, i, 64, _targets.origin);
+        finer->writePlace(*image, i, 4 * groups, _targets.origin);
         writeRow(*image, i, 67, osg::Vec3d(), finer->showsAs(*this, i) ? 1.0 : -1.0);
     }
     return image;

@@ -1,6 +1,7 @@
 /* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
 #pragma once
 
+#include "base/Limits.h"
 #include "surface/CasterCollector.h"
 #include "environment/DominantLight.h"
 #include "shadow/ShadowTargets.h"
@@ -24,7 +25,7 @@ namespace osgEnvLight
 class OSGENVLIGHT_EXPORT SunShadows : public osg::Referenced
 {
   public:
-    static constexpr unsigned maximumLevels = 4;
+    static constexpr unsigned maximumLevels = limits::MOST_SUN_LEVELS;
 
     /** @param size  of a map's side [texels] */
     SunShadows(unsigned suns, unsigned levels, unsigned size);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgEnvLight/Export>
+#include "base/Limits.h"
 #include "surface/SurfaceSorter.h"
 
 #include <osg/Light>
@@ -48,7 +49,7 @@ OSGENVLIGHT_EXPORT LightModes findLightModes(osgUtil::RenderBin& gbuffer, const 
 class OSGENVLIGHT_EXPORT SceneLightUniforms
 {
   public:
-    static constexpr unsigned maximum = 8;  // of OpenGL's fixed function
+    static constexpr unsigned maximum = limits::MOST_SCENE_LIGHTS;
 
     SceneLightUniforms();
     void set(const SceneLightList& lights);

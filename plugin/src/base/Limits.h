@@ -1,0 +1,13 @@
+/* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
+#pragma once
+
+namespace osgEnvLight
+{
+
+/** The counts of shaders/lib/limits.glsl. */
+namespace limits
+{
+#include "lib/limits.glsl"
+}
+
+}  // namespace osgEnvLight

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Counts that shaders and C++ share: what C++ fills or reads back is as large as shaders take it to be.
+#ifndef LIMITS_GLSL
+#define LIMITS_GLSL
+
+const int LIGHT_GROUPS = 16;      // that the pixels of a 4x4 cell take in turn
+const int MOST_SUNS = 8;          // cut from a map
+const int MOST_SUN_LEVELS = 4;    // shadow maps of a sun
+const int MOST_SCENE_LIGHTS = 8;  // of OpenGL's fixed function
+const int BOUNCE_BLOCKS = 32;     // along each side of the picture
+const int ERROR_BLOCKS = 32;      // along each side of the picture
+const int PROBE_SIDE = 16;        // points that are read back along each side of the picture
+
+#endif
