@@ -3,17 +3,21 @@
 // The picture, or any intermediate in its place, into the host's own colour and depth.
 #pragma import_defines(HAS_SUN_SHADOWS, HAS_OCCLUSION, BACKGROUND, ACCUMULATED, VIEW_TERM)
 
+#include "lib/limits.glsl"
 #include "pass/display.glsl"
+#include "pass/gbuffer.glsl"
+#ifdef VIEW_TERM
 #include "pass/picture.glsl"
 #include "pass/view.glsl"
-
 uniform sampler2D diffuseLightMap;
 uniform float sceneRadius;
+#else
+uniform sampler2D radianceMap;
+#endif
 uniform vec2 viewportOrigin;
 uniform vec2 hostDepth;  // offset and factor: from the G-buffer's depth to the host's
 #ifdef ACCUMULATED
-uniform sampler2D stillMap;        // the picture of the first frame
-uniform sampler2D accumulatedMap;  // weighted sum of all later ones
+uniform sampler2D accumulatedMap;  // weighted sum of all frames of a still view but the first, whose radiance radianceMap is
 uniform float accumulatedWeight;
 uniform float accumulatedShare;    // of the average in what is shown
 #endif
@@ -23,8 +27,8 @@ layout(location = 0) out vec4 color;
 #ifdef VIEW_TERM
 uniform int view;
 uniform int sunCount;
-uniform vec3 sunDirection[8];
-uniform float sunRadius[8];
+uniform vec3 sunDirection[MOST_SUNS];
+uniform float sunRadius[MOST_SUNS];
 
 // The map with the lights of the diffuse list: a dot of each one's colour, its area by its flux, the borders of what is
 // nearest to each, and the suns that were cut, ringed.
@@ -84,11 +88,9 @@ void main()
     ivec2 p = ivec2(gl_FragCoord.xy - viewportOrigin);
     float depth = texelFetch(depthMap, p, 0).r;
     gl_FragDepth = hostDepth.x + hostDepth.y * depth;
+#ifdef VIEW_TERM
     vec3 d = mapFromEye * viewRay(inverseProjection, pixelNdc(p));
-#ifdef VIEW_TERM
     float pixel = length(dFdx(d));
-#endif
-#ifdef VIEW_TERM
     if (depth >= 1.0)
         color = vec4(view == VIEW_LIGHTS ? display(lightsView(d, pixel), p) : vec3(0.0), 0.0);
     else
@@ -97,11 +99,9 @@ void main()
 #ifndef BACKGROUND
     if (depth >= 1.0) discard;
 #endif
+    vec4 picture = texelFetch(radianceMap, p, 0);
 #ifdef ACCUMULATED
-    vec4 average = texelFetch(accumulatedMap, p, 0) / accumulatedWeight;
-    vec4 picture = mix(texelFetch(stillMap, p, 0), average, accumulatedShare);
-#else
-    vec4 picture = pictureRadiance(p, d);
+    picture = mix(picture, texelFetch(accumulatedMap, p, 0) / accumulatedWeight, accumulatedShare);
 #endif
     color = vec4(display(picture.rgb, p), picture.a);
 #endif

@@ -188,7 +188,7 @@ TEST_F(FrameGraphTest, TimesAreOfOneFrame)
     renderer.render(lit, 6);
     for (const auto& r : lit->plan().passes) {
         const bool draws = r.pass == "gbuffer" || r.pass == "diffuse" || r.pass == "occlusion" || r.pass == "filter" ||
-                           r.pass == "bounce" || r.pass == "bouncesum" || r.pass == "composite";
+                           r.pass == "bounce" || r.pass == "bouncesum" || r.pass == "resolve" || r.pass == "composite";
         EXPECT_EQ(draws, r.cpu > 0.0) << r.pass;
     }
 }
@@ -199,6 +199,6 @@ TEST_F(FrameGraphTest, EveryPassIsInThePlan)
     renderer.render(lit, 1);
     for (const char* pass : {"gbuffer",   "scenelights", "seen",       "atlas",      "stillmaps", "suns",     "sunmap",
                              "sunshadow", "sunfilter",   "diffuse",    "occlusion",  "filter",    "specular", "bounce",
-                             "bouncesum", "still",       "accumulate", "stillerror", "composite", "forward"})
+                             "bouncesum", "resolve",     "accumulate", "stillerror", "composite", "forward"})
         EXPECT_NE("", lit->plan().reason(pass)) << pass;
 }

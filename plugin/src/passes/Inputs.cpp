@@ -56,7 +56,7 @@ void readDiffuseTerms(PassBuilder& b, const FrameContext& c)
     b.define("COMBINE_SUBTRACT", c.settings.combine == Settings::SUBTRACT);
 }
 
-void readPicture(PassBuilder& b, FrameContext& c)
+void readTerms(PassBuilder& b, FrameContext& c)
 {
     readDiffuseTerms(b, c);
     if (b.read("specular", "specularTermMap")) b.define("HAS_SPECULAR");
@@ -64,13 +64,17 @@ void readPicture(PassBuilder& b, FrameContext& c)
         b.define("HAS_BOUNCE");
         if (b.read("blocked lobe", "blockedLobeMap")) b.define("HAS_LOBES");
     }
+}
+
+void readPicture(PassBuilder& b, FrameContext& c)
+{
+    readTerms(b, c);
     b.define("BACKGROUND", c.background != Settings::BACKGROUND_OFF);
     if (c.background == Settings::BACKGROUND_BLUR) {
         b.define("BACKGROUND_BLUR");
         b.bind(c.textures.pyramid(), "pyramidMap");
     }
-    if (c.background == Settings::BACKGROUND_ON || c.settings.view == Settings::LIGHT_LIST)
-        b.bind(c.textures.latlong(), "latlongMap");
+    if (c.background == Settings::BACKGROUND_ON) b.bind(c.textures.latlong(), "latlongMap");
 }
 
 }  // namespace osgEnvLight

@@ -32,7 +32,9 @@ void readSkyMaps(PassBuilder& builder, FrameContext& context, const std::string&
 void readSunMaps(PassBuilder& builder, FrameContext& context);
 /** What pass/terms.glsl reads. */
 void readDiffuseTerms(PassBuilder& builder, const FrameContext& context);
-/** What pass/picture.glsl reads. */
+/** The same with S and the bounce. */
+void readTerms(PassBuilder& builder, FrameContext& context);
+/** What pass/picture.glsl reads: the terms, and what is behind the scene. */
 void readPicture(PassBuilder& builder, FrameContext& context);
 
 }  // namespace osgEnvLight

@@ -6,10 +6,30 @@
 namespace osgEnvLight
 {
 
-Requirement CompositePass::require(const FrameContext& c) const
+Requirement ResolvePass::require(const FrameContext& c) const
+{
+    Requirement resolve;
+    resolve.unless(c.settings.view != Settings::BEAUTY, "an intermediate is shown");
+    return resolve.because("the sum of the terms, " + c.behind);
+}
+
+// A still view shows its first frame's while its average is young.
+void ResolvePass::setup(PassBuilder& b, FrameContext& c)
+{
+    const TextureId radiance = b.create("radiance", {GL_RGBA32F_ARB, 0, c.still != nullptr});
+    if (c.still && c.still->frames() > 0) {
+        b.keepContents();
+        return;
+    }
+    b.readGBuffer();
+    readPicture(b, c);
+    b.write(radiance);
+}
+
+Requirement CompositePass::require(const FrameContext&) const
 {
     Requirement composite;
-    return composite.because("into the host's colour and depth, " + c.behind);
+    return composite.because("into the host's colour and depth");
 }
 
 void CompositePass::setup(PassBuilder& b, FrameContext& c)
@@ -17,17 +37,17 @@ void CompositePass::setup(PassBuilder& b, FrameContext& c)
     const Settings& s = c.settings;
     b.writeHost();
     b.readGBuffer();
-    if (c.still && c.still->frames() > 0) {
+    b.define("BACKGROUND", c.background != Settings::BACKGROUND_OFF);
+    if (!b.read("radiance", "radianceMap")) {
+        b.define("VIEW_TERM");
+        readTerms(b, c);
+    } else if (c.still && c.still->frames() > 0) {
         b.define("ACCUMULATED");
-        b.define("BACKGROUND", c.background != Settings::BACKGROUND_OFF);
-        b.read(b.find("still picture"), "stillMap");
         b.read(b.find("average"), "accumulatedMap");
-    } else {
-        readPicture(b, c);
     }
     b.define("OUTPUT_LINEAR", s.output == Settings::LINEAR);
-    b.define("VIEW_TERM", s.view != Settings::BEAUTY);
     if (s.view != Settings::LIGHT_LIST) return;
+    b.bind(c.textures.latlong(), "latlongMap");
     b.bind(c.textures.diffuseLights(), "diffuseLightMap");
     readSuns(b, c);
 }

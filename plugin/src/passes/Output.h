@@ -6,6 +6,16 @@
 namespace osgEnvLight
 {
 
+/** L = L_e + S + D - O and the bounce: the radiance of the picture, and of the map behind it. What adds light later adds to it.
+ */
+class OSGENVLIGHT_EXPORT ResolvePass : public RenderPass
+{
+  public:
+    const char* name() const override { return "resolve"; }
+    Requirement require(const FrameContext& context) const override;
+    void setup(PassBuilder& builder, FrameContext& context) override;
+};
+
 /** The picture, or any intermediate in its place, into the host's colour and depth. */
 class OSGENVLIGHT_EXPORT CompositePass : public RenderPass
 {

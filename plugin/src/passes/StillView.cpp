@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "passes/StillView.h"
 
+#include "base/Limits.h"
 #include "passes/Inputs.h"
 
 #include <osgUtil/CullVisitor>
@@ -22,7 +23,7 @@ class ErrorReader : public FullScreen
     void drawImplementation(osg::RenderInfo& renderInfo) const override
     {
         FullScreen::drawImplementation(renderInfo);
-        const int side = StillErrorPass::side;
+        const int side = limits::ERROR_BLOCKS;
         std::vector<osg::Vec4f> blocks(size_t(side * side));
         glReadPixels(0, 0, side, side, GL_RGBA, GL_FLOAT, blocks.data());
         double square = 0.0, light = 0.0, pixels = 0.0;
@@ -141,24 +142,6 @@ void StillView::releaseGLObjects(osg::State* state) const
     _near.releaseGLObjects(state);
 }
 
-Requirement StillPass::require(const FrameContext& c) const
-{
-    return requireStill(c).because("the first frame");
-}
-
-void StillPass::setup(PassBuilder& b, FrameContext& c)
-{
-    const TextureId picture = b.create("still picture", {GL_RGBA32F_ARB, 0, true});
-    if (c.still->frames() > 0) {
-        b.keepContents();
-        return;
-    }
-    b.readGBuffer();
-    readPicture(b, c);
-    b.write(picture);
-    b.drawAlways();
-}
-
 Requirement AccumulatePass::require(const FrameContext& c) const
 {
     return requireStill(c);
@@ -192,7 +175,7 @@ void StillErrorPass::setup(PassBuilder& b, FrameContext& c)
     b.readGBuffer();
     b.read(b.find("average"), "accumulatedMap");
     b.read(b.find("average of squares"), "squareMap");
-    b.write(b.create("still error", {GL_RGBA32F_ARB, side}));
+    b.write(b.create("still error", {GL_RGBA32F_ARB, limits::ERROR_BLOCKS}));
     b.triangle([vertices = c.frame.triangle] { return new ErrorReader(vertices.get()); },
                [still = osg::ref_ptr<const Accumulation>(c.still)](FullScreen& t) {
                    auto& reader = static_cast<ErrorReader&>(t);

@@ -29,15 +29,6 @@ class OSGENVLIGHT_EXPORT StillView : public RenderPass
     AtlasOwner _all, _near;
 };
 
-/** The picture of a still view's first frame, shown while its average is young. */
-class OSGENVLIGHT_EXPORT StillPass : public RenderPass
-{
-  public:
-    const char* name() const override { return "still"; }
-    Requirement require(const FrameContext& context) const override;
-    void setup(PassBuilder& builder, FrameContext& context) override;
-};
-
 /** Adds the picture of a frame, lit by its own lights, to the average. */
 class OSGENVLIGHT_EXPORT AccumulatePass : public RenderPass
 {
@@ -54,8 +45,6 @@ class OSGENVLIGHT_EXPORT StillErrorPass : public RenderPass
     const char* name() const override { return "stillerror"; }
     Requirement require(const FrameContext& context) const override;
     void setup(PassBuilder& builder, FrameContext& context) override;
-
-    static constexpr int side = 32;  // blocks along each side of the picture, as in pass/stillerror.frag
 };
 
 }  // namespace osgEnvLight
