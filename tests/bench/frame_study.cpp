@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+// envlight_frame_study [--against PROGRAM] [OPTION...] [NAME=VALUE...]: what each pass of a still frame takes, in milliseconds, as
+// a table. Beside another build of this program the two draw in turns, so that whatever else the machine does hurts both alike.
+//   --size W H       of the picture, 512 512
+//   --triangles N    of the model, 100000
+//   --map FILE       or the name of a built-in map, sky
+//   --frames N       21
+//   --against FILE   the same program of another build: its least time, and the median of the ratios of neighbouring frames
+//   --theirs NAME=VALUE  a setting of that one alone; NAME=VALUE is of both
+//   --serve          draw a frame and print its times for each line that is read
+#include <SceneRenderer.h>
+
+#include <osg/Group>
+#include <osgDB/ReadFile>
+#include <osgEnvLight/BuiltinMaps>
+#include <osgEnvLight/Material>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+using osgEnvLight::LitScene;
+using osgEnvLight::Material;
+
+namespace
+{
+
+// Milliseconds by pass; the whole frame's is named "frame", that of all processors on it "processors".
+using Times = std::vector<std::pair<std::string, double>>;
+
+struct Options {
+    int width = 512, height = 512, triangles = 100000, frames = 21;
+    std::string map = "sky";
+    std::string against;
+    std::vector<std::string> settings, theirs;
+    bool serves = false;
+};
+
+// Sixteen spheres on a plane, with together about that many triangles; a quarter of them metal, a quarter Phong.
+osg::ref_ptr<osg::Group> makeModel(int count)
+{
+    osg::ref_ptr<osg::Group> group = new osg::Group;
+    group->addChild(makeQuad(osg::Vec3d(-5, -5, -0.9), osg::Vec3d(10, 0, 0), osg::Vec3d(0, 10, 0)));
+    const int segments = int(std::sqrt(count / 16.0));
+    for (int i = 0; i < 16; ++i) {
+        osg::ref_ptr<osg::Geode> sphere = makeSphere(osg::Vec3d(-3 + 2 * (i % 4), -3 + 2 * (i / 4), 0), 0.9, segments);
+        osg::StateSet& s = *sphere->getOrCreateStateSet();
+        if (i % 4 == 0) Material::setCookTorrance(s, osg::Vec3f(0.9f, 0.7f, 0.3f), 1.0f, 0.3f);
+        if (i % 4 == 1) Material::setPhong(s, osg::Vec3f(0.4f, 0.1f, 0.1f), osg::Vec3f(0.3f, 0.3f, 0.3f), 60.0f);
+        group->addChild(sphere);
+    }
+    return group;
+}
+
+void set(LitScene& lit, const std::string& assignment)
+{
+    const size_t equals = assignment.find('=');
+    std::string error = "expected NAME=VALUE, not '" + assignment + "'";
+    if (equals == std::string::npos ||
+        !lit.getSettings()->set(assignment.substr(0, equals), assignment.substr(equals + 1), error))
+        throw std::runtime_error(error);
+}
+
+// Of all threads, the software renderer's among them.
+double processorTime()
+{
+    rusage usage;
+    getrusage(RUSAGE_SELF, &usage);
+    const auto of = [](const timeval& t) { return 1e3 * double(t.tv_sec) + 1e-3 * double(t.tv_usec); };
+    return of(usage.ru_utime) + of(usage.ru_stime);
+}
+
+class View
+{
+  public:
+    explicit View(const Options& options) : _renderer(options.width, options.height), _lit(new LitScene)
+    {
+        _renderer.lookAt(osg::Vec3d(1, -11, 7), osg::Vec3d(0, 0, -0.5), osg::Vec3d(0, 0, 1), 35.0);
+        osg::ref_ptr<osg::Image> image = osgEnvLight::createBuiltinMap(options.map);
+        if (!image) image = osgDB::readRefImageFile(options.map);
+        if (!image) throw std::runtime_error("can't read the map " + options.map);
+        _lit->getEnvironmentMap()->setImage(image);
+        _lit->addChild(makeModel(options.triangles));
+        for (const std::string& s : options.settings) set(*_lit, s);
+        _lit->setTimed(true);
+        for (int i = 0; i < 4 || _lit->regenerating(); ++i) draw();  // compiles, uploads, draws all maps
+    }
+
+    Times draw()
+    {
+        const double before = processorTime();
+        Times times = {{"frame", _renderer.time(_lit, 1)[0]}};
+        times.emplace_back("processors", processorTime() - before);
+        for (const auto& t : _lit->passTimes()) times.emplace_back(t.pass, t.gpu);
+        return times;
+    }
+
+  private:
+    SceneRenderer _renderer;
+    osg::ref_ptr<LitScene> _lit;
+};
+
+void serve(View& view)
+{
+    std::string line;
+    while (std::getline(std::cin, line)) {
+        for (const auto& [pass, ms] : view.draw()) std::cout << pass << " " << ms << " ";
+        std::cout << std::endl;
+    }
+}
+
+// The same program of another build, which draws a frame when it is told to.
+class Server
+{
+  public:
+    Server(const Options& o, const std::string& program)
+    {
+        int down[2], up[2];
+        if (pipe(down) || pipe(up)) throw std::runtime_error("no pipe");
+        _pid = fork();
+        if (_pid == 0) {
+            dup2(down[0], 0);
+            dup2(up[1], 1);
+            for (int fd : {down[0], down[1], up[0], up[1]}) close(fd);
+            std::vector<std::string> words = {program,       "--serve", "--size",   std::to_string(o.width), std::to_string(o.height),
+                                              "--triangles", std::to_string(o.triangles), "--map", o.map};
+            for (const auto* list : {&o.settings, &o.theirs}) words.insert(words.end(), list->begin(), list->end());
+            std::vector<char*> arguments;
+            for (std::string& w : words) arguments.push_back(w.data());
+            arguments.push_back(nullptr);
+            execv(program.c_str(), arguments.data());
+            _exit(127);
+        }
+        close(down[0]);
+        close(up[1]);
+        _to = fdopen(down[1], "w");
+        _from = fdopen(up[0], "r");
+    }
+
+    ~Server()
+    {
+        fclose(_to);
+        fclose(_from);
+        waitpid(_pid, nullptr, 0);
+    }
+
+    Times draw()
+    {
+        char line[4096];
+        if (fputs("\n", _to) < 0 || fflush(_to) || !fgets(line, sizeof(line), _from)) throw std::runtime_error("the other build failed");
+        std::istringstream in(line);
+        Times times;
+        std::pair<std::string, double> t;
+        while (in >> t.first >> t.second) times.push_back(t);
+        return times;
+    }
+
+  private:
+    pid_t _pid = 0;
+    FILE* _to = nullptr;
+    FILE* _from = nullptr;
+};
+
+double least(const std::vector<double>& v)
+{
+    return v.empty() ? std::nan("") : *std::min_element(v.begin(), v.end());
+}
+
+double median(std::vector<double> v)
+{
+    if (v.empty()) return std::nan("");
+    std::nth_element(v.begin(), v.begin() + std::ptrdiff_t(v.size() / 2), v.end());
+    return v[v.size() / 2];
+}
+
+struct Column {
+    std::vector<double> theirs, ours, ratios;
+};
+
+void print(const std::vector<std::string>& order, const std::map<std::string, Column>& columns, bool paired)
+{
+    std::cout << std::left << std::setw(16) << "pass" << std::right << (paired ? "    theirs" : "") << "      ours"
+              << (paired ? "     ratio" : "") << "\n"
+              << std::fixed;
+    for (const std::string& pass : order) {
+        const Column& c = columns.at(pass);
+        std::cout << std::left << std::setw(16) << pass << std::right;
+        if (paired) std::cout << std::setw(10) << std::setprecision(1) << least(c.theirs);
+        std::cout << std::setw(10) << std::setprecision(1) << least(c.ours);
+        if (paired) std::cout << std::setw(10) << std::setprecision(3) << median(c.ratios);
+        std::cout << "\n";
+    }
+}
+
+void compare(const Options& options)
+{
+    std::unique_ptr<Server> server;
+    if (!options.against.empty()) server = std::make_unique<Server>(options, options.against);
+    View view(options);
+    if (server) server->draw();  // until it has drawn its maps
+    std::vector<std::string> order;
+    std::map<std::string, Column> columns;
+    const auto columnOf = [&](const std::string& pass) -> Column& {
+        if (!columns.count(pass)) order.push_back(pass);
+        return columns[pass];
+    };
+    for (int i = 0; i < options.frames; ++i) {
+        std::map<std::string, double> theirs;
+        if (server)
+            for (const auto& [pass, ms] : server->draw()) {
+                columnOf(pass).theirs.push_back(ms);
+                theirs[pass] = ms;
+            }
+        for (const auto& [pass, ms] : view.draw()) {
+            columnOf(pass).ours.push_back(ms);
+            if (theirs.count(pass)) columns[pass].ratios.push_back(ms / theirs[pass]);
+        }
+    }
+    print(order, columns, server != nullptr);
+}
+
+Options parse(const std::vector<std::string>& words)
+{
+    Options o;
+    for (size_t i = 0; i < words.size(); ++i) {
+        const auto next = [&] {
+            if (++i >= words.size()) throw std::runtime_error("a value is missing at the end");
+            return words[i];
+        };
+        if (words[i] == "--size") {
+            o.width = std::stoi(next());
+            o.height = std::stoi(next());
+        } else if (words[i] == "--triangles") {
+            o.triangles = std::stoi(next());
+        } else if (words[i] == "--frames") {
+            o.frames = std::stoi(next());
+        } else if (words[i] == "--map") {
+            o.map = next();
+        } else if (words[i] == "--against") {
+            o.against = next();
+        } else if (words[i] == "--theirs") {
+            o.theirs.push_back(next());
+        } else if (words[i] == "--serve") {
+            o.serves = true;
+        } else {
+            o.settings.push_back(words[i]);
+        }
+    }
+    return o;
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    try {
+        const Options options = parse(std::vector<std::string>(argv + 1, argv + argc));
+        if (options.serves) {
+            View view(options);
+            serve(view);
+        } else {
+            compare(options);
+        }
+    } catch (const std::exception& error) {
+        std::cerr << "envlight_frame_study: " << error.what() << "\n";
+        return 1;
+    }
+    return 0;
+}
