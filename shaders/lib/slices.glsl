@@ -58,10 +58,23 @@ struct SliceBorder {
     vec3 ray;
 };
 
+// The angle of (x, y) to 1e-5, a ten-thousandth of a sector, in a third of the built-in function's time.
+float sliceAngle(float y, float x)
+{
+    float a = abs(x);
+    float b = abs(y);
+    float t = min(a, b) / max(max(a, b), 1e-30);
+    float t2 = t * t;
+    float angle = t * (0.9998660 + t2 * (-0.3302995 + t2 * (0.1801410 + t2 * (-0.0851330 + t2 * 0.0208351))));
+    if (b > a) angle = 0.5 * PI - angle;
+    if (x < 0.0) angle = PI - angle;
+    return y < 0.0 ? -angle : angle;
+}
+
 // Where direction d, turned into the slice's plane, lies between the receiver's horizons, 0 and 1.
 float slicePosition(Slice s, vec3 view, vec3 d)
 {
-    return (atan(dot(d, s.along), dot(d, view)) - s.tilt) * INV_PI + 0.5;
+    return (sliceAngle(dot(d, s.along), dot(d, view)) - s.tilt) * INV_PI + 0.5;
 }
 
 // Bits of the sectors whose samples (j + phase) / 32 lie between two positions, whichever is the greater.
@@ -165,6 +178,15 @@ SliceTap tapAt(sampler2D depthMap, sampler2D normalMap, SliceView v, SliceReceiv
     return t;
 }
 
+SliceBorder borderAt(SliceView v, SliceReceiver r, Slice s, float side, float distance)
+{
+    SliceBorder border;
+    border.distance = distance;
+    border.point = r.point + side * distance * s.along;
+    border.ray = viewRayAt(v.inverseProjection, border.point);
+    return border;
+}
+
 // What is blocked on one side of a slice, which ends at the border of the view. phase in (0,1) shifts the taps.
 uint sideBits(sampler2D depthMap, sampler2D normalMap, SliceView v, SliceReceiver r, Slice s, float side, float phase)
 {
@@ -172,25 +194,23 @@ uint sideBits(sampler2D depthMap, sampler2D normalMap, SliceView v, SliceReceive
     vec4 clipStep = v.projection * vec4(side * s.along, 0.0);
     uint bits = 0u;
     SliceTap former = noTap();
-    for (int j = 0; j <= v.taps; ++j) {
+    int j = 0;
+    bool inside = true;
+    do {
         float distance = tapDistance(v, r.footprint, float(j), phase);
-        SliceBorder border;
-        border.distance = tapDistance(v, r.footprint, float(j) - 0.5, phase);
-        border.point = r.point + side * border.distance * s.along;
-        border.ray = viewRayAt(v.inverseProjection, border.point);
         vec4 c = clip + distance * clipStep;
-        bool end = j == v.taps || c.w <= 0.0 || abs(c.x) >= c.w || abs(c.y) >= c.w;
-        SliceTap tap = noTap();
-        if (!end) {
-            ivec2 pixel = ivec2((0.5 * vec2(c) / c.w + 0.5) * v.size);
-            tap = tapAt(depthMap, normalMap, v, r, s, side, pixel);
+        inside = c.w > 0.0 && abs(c.x) < c.w && abs(c.y) < c.w;
+        if (inside) {
+            SliceTap tap = tapAt(depthMap, normalMap, v, r, s, side, ivec2((0.5 * vec2(c) / c.w + 0.5) * v.size));
             tap.distance = distance;
+            SliceBorder border = borderAt(v, r, s, side, tapDistance(v, r.footprint, float(j) - 0.5, phase));
+            bits |= patchBits(r, s, side, former, border, tap) | patchBits(r, s, side, tap, border, former) | slabBits(v, r, s, tap);
+            former = tap;
+            ++j;
         }
-        bits |= patchBits(r, s, side, former, border, tap) | patchBits(r, s, side, tap, border, former) | slabBits(v, r, s, tap);
-        if (end) break;
-        former = tap;
-    }
-    return bits;
+    } while (inside && j < v.taps);
+    SliceBorder end = borderAt(v, r, s, side, tapDistance(v, r.footprint, float(j) - 0.5, phase));
+    return bits | patchBits(r, s, side, former, end, noTap());
 }
 
 // The blocked sectors around the eye point p with unit normal n. bias [eye units] lifts it off its surface and must cover
@@ -207,18 +227,27 @@ Slices slicesOf(sampler2D depthMap, sampler2D normalMap, SliceView v, vec3 p, ve
     result.count = v.slices;
     vec3 right = normalize(vec3(1.0, 0.0, 0.0) - r.view.x * r.view);
     vec3 up = cross(r.view, right);
-    for (int i = 0; i < v.slices; ++i) {
+    int i = 0;
+    do {
         float azimuth = PI * (float(i) + (float(v.group) + 0.5) / 16.0) / float(v.slices);
         int phase = 7 * v.group + 5 * i + 3;
         Slice s;
         s.along = cos(azimuth) * right + sin(azimuth) * up;
-        s.tilt = atan(dot(n, s.along), dot(n, r.view));
+        s.tilt = sliceAngle(dot(n, s.along), dot(n, r.view));
         s.phase = (float((11 * v.group + 3 * i) & 15) + 0.5) / 16.0;
         s.bits = sideBits(depthMap, normalMap, v, r, s, -1.0, (float(phase & 15) + 0.5) / 16.0) |
                  sideBits(depthMap, normalMap, v, r, s, 1.0, (float((phase + 8) & 15) + 0.5) / 16.0);
         result.slice[i] = s;
-    }
+    } while (++i < v.slices);
     return result;
+}
+
+// The same in another frame.
+Slices rotated(mat3 m, Slices r)
+{
+    r.view = m * r.view;
+    for (int i = 0; i < 4; ++i) r.slice[i].along = m * r.slice[i].along;
+    return r;
 }
 
 // Is the unit eye direction l, above the receiver's horizon, blocked? It takes the sector of its angle from the view
@@ -235,7 +264,7 @@ bool sliceBlocks(Slices r, vec3 l)
         }
     }
     float c = dot(l, r.view);
-    float angle = atan(sqrt(max(1.0 - c * c, 0.0)), c) * (along < 0.0 ? -1.0 : 1.0);
+    float angle = sliceAngle(sqrt(max(1.0 - c * c, 0.0)), c) * (along < 0.0 ? -1.0 : 1.0);
     float position = (angle - s.tilt) * INV_PI + 0.5;
     int sector = clamp(int(floor(32.0 * position - s.phase + 0.5)), 0, 31);
     return ((s.bits >> sector) & 1u) != 0u;

@@ -122,6 +122,20 @@ TEST(slices, WeightsOfAllSlicesAreTheHemisphere)
     }
 }
 
+// Far less than a sector, at every angle and length; along the axes and of nothing at all, too.
+TEST(slices, AngleIsThatOfTheVector)
+{
+    Random random(77);
+    for (int i = 0; i < 20000; ++i) {
+        const double angle = i < 9 ? (i - 4) * pi / 4.0 : random.uniform(-pi, pi);
+        const double length = std::exp(random.uniform(-20, 20));
+        const double y = length * std::sin(angle), x = length * std::cos(angle);
+        ASSERT_NEAR(glsl::sliceAngle(y, x), std::atan2(y, x), 1.2e-5) << x << " " << y;
+    }
+    EXPECT_EQ(glsl::sliceAngle(0.0, 1.0), 0.0);
+    EXPECT_EQ(glsl::sliceAngle(0.0, 0.0), 0.0);
+}
+
 TEST(slices, ADirectionFindsItsSector)
 {
     Random random(74);
