@@ -10,17 +10,16 @@ float cellWeight(int i, int halfWidth)
     return abs(i) == halfWidth ? 0.5 : 1.0;
 }
 
-// Weight of a neighbour at eye point q with normal nq for the receiver at p with normal n on a plane of normal facet: its
-// distance from that plane in pixel footprints, and the angle of the normals.
-float geometryWeight(vec3 p, vec3 facet, vec3 n, vec3 q, vec3 nq, float footprint)
+// Weight of a neighbour for a receiver: by its distance from the receiver's plane, in units that it may be off, and by the cosine
+// of their normals.
+float surfaceWeight(float distance, float cosine)
 {
-    float plane = dot(facet, q - p) / (1.5 * footprint);
-    float c = max(dot(n, nq), 0.0);
+    float c = max(cosine, 0.0);
     c *= c;
     c *= c;
     c *= c;
     c *= c;
-    return exp(-plane * plane) * c * c;
+    return exp(-distance * distance) * c * c;
 }
 
 #endif

@@ -78,76 +78,113 @@ bool sunHides(SunReceiver r, vec4 surface)
     return surface.x > plane && (surface.y > plane || surface.x > plane + r.body);
 }
 
-// The height above the receiver, between low and high, at which the ray meets the surface that has this height near by: on
-// the ray at its height, and once more where the surface has another there; texels of a slope are steps. Negative where it
-// passes.
-float sunMeets(sampler2D sunMaps, SunMap m, SunReceiver r, vec2 xy, vec2 slope, float low, float high, vec4 surface)
-{
-    float height = surface.x - r.point.z;
-    float across = length(slope) * min(height - low, high - height);
-    for (int i = 0; i < 2; ++i) {
-        if (height <= low || height > high || !sunHides(r, surface)) return -1.0;
-        vec2 there = xy + slope * height;
-        surface = sunSurface(sunMaps, m, there);
-        float next = surface.x - r.point.z;
-        // Beyond the map texels are as wide as the whole scene's.
-        float grain = sunWithin(m, there) ? across : max(across, max(1.0 / m.toWhole.x, 1.0 / m.toWhole.y));
-        if (abs(next - height) <= SUN_STEEP * m.longer * (1.0 + grain)) return height;
-        across = length(slope) * abs(next - height);
-        height = next;
-    }
-    return -1.0;
-}
-
 bool sunAbove(SunReceiver r, vec4 surface, float height)
 {
     return surface.x - r.point.z > height && sunHides(r, surface);
 }
 
-// Where the ray, below the surface at low and above it at high, passes through it; negative where it passes an edge.
-float sunPasses(sampler2D sunMaps, SunMap m, SunReceiver r, vec2 xy, vec2 slope, float low, float high, vec4 below, vec4 above)
+// Length on the map within which texels cannot tell two heights of a slope apart: what the ray moves, and beyond the map the
+// whole scene's wider texels.
+float sunGrain(SunMap m, vec2 xy, float across)
 {
-    for (int i = 0; i < 5; ++i) {
-        float middle = 0.5 * (low + high);
-        vec4 surface = sunSurface(sunMaps, m, xy + slope * middle);
-        if (sunAbove(r, surface, middle)) {
-            low = middle;
-            below = surface;
-        } else {
-            high = middle;
-            above = surface;
-        }
-    }
-    float across = length(slope) * (high - low);
-    if (!sunWithin(m, xy + slope * high)) across = max(across, max(1.0 / m.toWhole.x, 1.0 / m.toWhole.y));
-    return sunHides(r, above) && below.x - above.x <= SUN_STEEP * m.longer * (1.0 + across) ? low : -1.0;
+    return sunWithin(m, xy) ? across : max(across, max(1.0 / m.toWhole.x, 1.0 / m.toWhole.y));
+}
+
+// What a ray does with the next texel it reads.
+#define SUN_MARCH 0   // the end of the interval
+#define SUN_BEFORE 1  // does it meet the surface found at the interval's start?
+#define SUN_AFTER 2   // or at its end?
+#define SUN_PASS 3    // it was below a surface and is above one now: where does it pass through?
+
+// Whether the ray, between low and high, may meet a surface found elsewhere: at that surface's own height.
+bool sunMayMeet(SunReceiver r, vec4 surface, float low, float high)
+{
+    float height = surface.x - r.point.z;
+    return height > low && height <= high && sunHides(r, surface);
 }
 
 // How high above the receiver a ray from xy that moves by slope for each unit of height is blocked; negative where it is not.
 // The ray is followed over intervals each longer than the last, so that thin things are missed only where the disc is much
-// wider than they. A surface found at either end of one counts if the ray meets it at its own height, or passes through it
-// between them: a sheet's edge is where it is, whatever the intervals, and what passes beneath it goes on.
+// wider than they. A surface found at either end of one counts if the ray meets it at its own height - on the ray at that height,
+// and once more where the surface has another there; texels of a slope are steps - or passes through it between them: a sheet's
+// edge is where it is, whatever the intervals, and what passes beneath it goes on.
+// One loop, each turn of which reads one texel: rays that run side by side on the GPU wait for none that does more.
 float sunBlocker(sampler2D sunMaps, SunMap m, SunReceiver r, vec2 xy, vec2 slope)
 {
     float reach = m.heights - r.point.z;
     if (reach <= 0.0) return -1.0;
-    float across = length(slope) * reach;
+    float speed = length(slope);
+    float across = speed * reach;
     int steps = across > 1.0 ? 1 + int(min(ceil(log(across) / log(1.6)), 12.0)) : 1;
     float growth = steps > 1 ? pow(across, 1.0 / float(steps - 1)) : 1.0;
     float low = 0.0;
     float high = steps > 1 ? reach / across : reach;
-    vec4 surface = sunSurface(sunMaps, m, xy);
-    for (int i = 0; i < steps; ++i) {
-        float height = sunMeets(sunMaps, m, r, xy, slope, low, high, surface);
-        if (height > 0.0) return height;
-        vec4 former = surface;
-        surface = sunSurface(sunMaps, m, xy + slope * high);
-        height = sunMeets(sunMaps, m, r, xy, slope, low, high, surface);
-        if (height <= 0.0 && sunAbove(r, former, low) && !sunAbove(r, surface, high))
-            height = sunPasses(sunMaps, m, r, xy, slope, low, high, former, surface);
-        if (height > 0.0) return height;
-        low = high;
-        high *= growth;
+    vec4 former = sunSurface(sunMaps, m, xy);
+    vec4 surface = former;
+    vec4 above = former;  // of the ray's two ends in SUN_PASS: where it is above the surface
+    vec4 below = former;
+    int mode = SUN_MARCH;
+    int tries = 0;
+    float height = 0.0;  // at which the surface is asked, or the lower end of what is halved
+    float top = 0.0;     // its upper end
+    float step = 0.0;    // how far the ray moved across between two such heights
+    for (int i = 0; steps > 0 && i < 128; ++i) {
+        float at = mode == SUN_MARCH ? high : mode == SUN_PASS ? 0.5 * (height + top) : height;
+        vec2 there = xy + slope * at;
+        vec4 found = sunSurface(sunMaps, m, there);
+        int next = mode;
+        if (mode == SUN_MARCH) {
+            surface = found;
+            next = SUN_BEFORE;
+            tries = 0;
+        } else if (mode == SUN_PASS) {
+            bool isBelow = sunAbove(r, found, at);
+            if (isBelow) {
+                height = at;
+                below = found;
+            } else {
+                top = at;
+                above = found;
+            }
+            if (++tries == 5) {
+                float grain = sunGrain(m, xy + slope * top, speed * (top - height));
+                if (height > 0.0 && sunHides(r, above) && below.x - above.x <= SUN_STEEP * m.longer * (1.0 + grain)) return height;
+                next = SUN_MARCH;
+            }
+        } else {
+            float own = found.x - r.point.z;
+            if (abs(own - height) <= SUN_STEEP * m.longer * (1.0 + sunGrain(m, there, step))) return height;
+            step = speed * abs(own - height);
+            height = own;
+            if (++tries == 2 || !sunMayMeet(r, found, low, high)) {
+                next = mode + 1;
+                tries = 0;
+            }
+        }
+        if (next == SUN_BEFORE && tries == 0) {
+            height = former.x - r.point.z;
+            if (!sunMayMeet(r, former, low, high)) next = SUN_AFTER;
+        }
+        if (next == SUN_AFTER && tries == 0) {
+            height = surface.x - r.point.z;
+            if (!sunMayMeet(r, surface, low, high)) next = SUN_PASS;
+        }
+        if ((next == SUN_BEFORE || next == SUN_AFTER) && tries == 0) step = speed * min(height - low, high - height);
+        if (next == SUN_PASS && mode != SUN_PASS) {
+            height = low;
+            top = high;
+            below = former;
+            above = surface;
+            tries = 0;
+            if (!sunAbove(r, former, low) || sunAbove(r, surface, high)) next = SUN_MARCH;
+        }
+        if (next == SUN_MARCH) {
+            former = surface;
+            low = high;
+            high *= growth;
+            --steps;
+        }
+        mode = next;
     }
     return -1.0;
 }

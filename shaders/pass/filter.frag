@@ -41,7 +41,7 @@ void main()
             ivec2 q = p + ivec2(x, y);
             if (q.x < 0 || q.y < 0 || q.x > last.x || q.y > last.y || isBackground(q)) continue;
             float w = cellWeight(x, halfWidth) * cellWeight(y, halfWidth) *
-                      geometryWeight(eye, facet, n, pixelEye(q), pixelNormal(q), footprint);
+                      surfaceWeight(dot(facet, pixelEye(q) - eye) / (1.5 * footprint), dot(n, pixelNormal(q)));
             num += w * texelFetch(numMap, q, 0);
             den += w * texelFetch(denMap, q, 0);
 #ifdef HAS_LOBES

@@ -62,6 +62,27 @@ vec3 pixelFacet(ivec2 p, vec3 eye, vec3 n, float footprint)
     return bend <= 0.5 * footprint && dot(facet, facet) > 0.0 ? normalize(facet) : n;
 }
 
+// A plane in eye space, to be asked about pixels by their depths: distance from it in units, times w of the point, and that w.
+struct PixelPlane {
+    vec4 distance;
+    vec4 w;
+};
+
+PixelPlane pixelPlane(vec3 point, vec3 normal, float unit)
+{
+    PixelPlane plane;
+    plane.distance = vec4(normal, -dot(normal, point)) / unit * inverseProjection;
+    plane.w = vec4(0.0, 0.0, 0.0, 1.0) * inverseProjection;
+    return plane;
+}
+
+// Of the surface in a pixel.
+float planeDistance(PixelPlane plane, ivec2 p, float depth)
+{
+    vec4 q = vec4(pixelNdc(p), 2.0 * depth - 1.0, 1.0);
+    return dot(plane.distance, q) / dot(plane.w, q);
+}
+
 // Unit vector to the eye, in a frame about the pixel's normal.
 vec3 pixelView(ivec2 p, mat3 eyeFromLocal)
 {

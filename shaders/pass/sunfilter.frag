@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // What each pixel sees of the suns, second half: where it and its neighbours don't all see the same, 16 points of the disc of
 // its own, and the neighbours' two as far as the penumbra is wider than they are apart: contact shadows stay sharp.
+#pragma import_defines(SUNS_OVER_2, SUNS_OVER_4, SUNS_OVER_6)
 #include "lib/bilateral.glsl"
 #include "pass/sunpixel.glsl"
 
@@ -13,42 +14,61 @@ uniform sampler2D sunSeenMap3;
 layout(location = 0) out vec4 visibility0;
 layout(location = 1) out vec4 visibility1;
 
+// Of a sun: the share of its light, the width of the penumbra.
 vec2 seenAt(int sun, ivec2 q)
 {
-    int pair = sun / 2;
-    vec4 v = pair == 0   ? texelFetch(sunSeenMap0, q, 0)
-             : pair == 1 ? texelFetch(sunSeenMap1, q, 0)
-             : pair == 2 ? texelFetch(sunSeenMap2, q, 0)
-                         : texelFetch(sunSeenMap3, q, 0);
+    vec4 v = texelFetch(sunSeenMap0, q, 0);
+#ifdef SUNS_OVER_2
+    if (sun >= 2) v = texelFetch(sunSeenMap1, q, 0);
+#endif
+#ifdef SUNS_OVER_4
+    if (sun >= 4) v = texelFetch(sunSeenMap2, q, 0);
+#endif
+#ifdef SUNS_OVER_6
+    if (sun >= 6) v = texelFetch(sunSeenMap3, q, 0);
+#endif
     return (sun & 1) == 0 ? v.xy : v.zw;
+}
+
+// Of a neighbourhood of 5x5 pixels: whether all see as much of the sun as the one in its middle, by the 2x2 quads of which each
+// says whether its own four agree; and what is hidden there, once weighted by the width of the penumbra.
+struct SunAround {
+    bool even;
+    vec2 width;
+};
+
+SunAround sunAround(int sun, ivec2 p, float own, ivec2 last)
+{
+    SunAround around = SunAround(own <= 0.0 || own >= 1.0, vec2(0.0));
+    for (int i = 0; i < 9; ++i) {
+        vec2 v = seenAt(sun, clamp(p + 2 * ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), last));
+        around.even = around.even && v.x == own && v.y >= 0.0;
+        around.width += (1.0 - v.x) * vec2(penumbraWidth(v.y), 1.0);
+    }
+    return around;
 }
 
 float visibilityOf(int sun, ivec2 p)
 {
     ivec2 last = ivec2(viewportSize) - 1;
     float own = seenAt(sun, p).x;
-    vec2 width = vec2(0.0);
-    bool even = own <= 0.0 || own >= 1.0;
-    for (int y = -2; y <= 2; ++y)
-        for (int x = -2; x <= 2; ++x) {
-            vec2 v = seenAt(sun, clamp(p + ivec2(x, y), ivec2(0), last));
-            even = even && v.x == own;
-            width += (1.0 - v.x) * vec2(v.y, 1.0);
-        }
-    if (even) return own;
+    SunAround around = sunAround(sun, p, own, last);
+    if (around.even) return own;
     SunPixel s = sunPixel(p);
-    float reach = clamp(0.15 * width.x / max(width.y, 1e-6), 0.0, 2.0);
     vec2 sum = 16.0 * vec2(sunSeen(sun, s, 16).x, 1.0);
+    float reach = clamp(0.15 * around.width.x / max(around.width.y, 1e-6), 0.0, 2.0);
     if (reach <= 0.5) return sum.x / sum.y;
-    vec3 eye = pixelEye(p);
     vec3 n = pixelNormal(p);
-    vec3 facet = pixelFacet(p, eye, n, s.footprint);
-    for (int y = -2; y <= 2; ++y)
-        for (int x = -2; x <= 2; ++x) {
+    vec3 eye = pixelEye(p);
+    PixelPlane plane = pixelPlane(eye, pixelFacet(p, eye, n, s.footprint), 1.5 * s.footprint);
+    int most = reach > 0.5 ? reach > 1.5 ? 2 : 1 : 0;
+    for (int y = -most; y <= most; ++y)
+        for (int x = -most; x <= most; ++x) {
             ivec2 q = p + ivec2(x, y);
             float w = clamp(reach + 0.5 - float(max(abs(x), abs(y))), 0.0, 1.0);
-            if (w <= 0.0 || (x == 0 && y == 0) || q != clamp(q, ivec2(0), last) || isBackground(q)) continue;
-            w *= geometryWeight(eye, facet, n, pixelEye(q), pixelNormal(q), s.footprint);
+            float depth = texelFetch(depthMap, q, 0).r;
+            if ((x == 0 && y == 0) || q != clamp(q, ivec2(0), last) || depth >= 1.0) continue;
+            w *= surfaceWeight(planeDistance(plane, q, depth), dot(n, texelFetch(normalMap, q, 0).xyz * 2.0 - 1.0));
             sum += 2.0 * w * vec2(seenAt(sun, q).x, 1.0);
         }
     return sum.x / sum.y;

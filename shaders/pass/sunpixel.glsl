@@ -26,4 +26,15 @@ SunPixel sunPixel(ivec2 p)
     return s;
 }
 
+// The width of a penumbra in pixels, negative where the pixels of a 2x2 quad differ.
+float markedWidth(float width, bool differs)
+{
+    return differs ? -1.0 - width : width;
+}
+
+float penumbraWidth(float marked)
+{
+    return marked < 0.0 ? -1.0 - marked : marked;
+}
+
 #endif

@@ -9,6 +9,13 @@ layout(location = 1) out vec4 seen1;
 layout(location = 2) out vec4 seen2;
 layout(location = 3) out vec4 seen3;
 
+// Whether a value differs among the four pixels of a quad; where derivatives are coarse, one of the four may go unnoticed.
+bool quadDiffers(float v)
+{
+    float across = abs(dFdx(v));
+    return across + abs(dFdy(v)) + abs(dFdy(across)) > 0.0;
+}
+
 void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
@@ -23,6 +30,11 @@ void main()
             else
                 seen[i / 2].zw = v;
         }
+    }
+    // What only some of a 2x2 quad see is marked; derivatives are taken where all of its pixels are.
+    for (int i = 0; i < 4; ++i) {
+        seen[i].y = markedWidth(seen[i].y, quadDiffers(seen[i].x));
+        seen[i].w = markedWidth(seen[i].w, quadDiffers(seen[i].z));
     }
     seen0 = seen[0];
     seen1 = seen[1];

@@ -123,7 +123,10 @@ void SunFilterPass::setup(PassBuilder& b, FrameContext& c)
     readSunMaps(b, c);
     b.read("emission", "emissionMap");
     const unsigned pairs = (c.facts.suns.count + 1) / 2;
-    for (unsigned i = 0; i < 4; ++i) b.read(b.find(numbered("sun points ", std::min(i, pairs - 1))), numbered("sunSeenMap", i));
+    for (unsigned i = 0; i < pairs; ++i) {
+        b.read(b.find(numbered("sun points ", i)), numbered("sunSeenMap", i));
+        if (i > 0) b.define(numbered("SUNS_OVER_", 2 * i));
+    }
     readSuns(b, c);
     for (unsigned i = 0; i < (c.facts.suns.count + 3) / 4; ++i) b.write(b.create(numbered("sun visibility ", i)));
 }
