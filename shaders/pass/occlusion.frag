@@ -1,4 +1,5 @@
 #version 330 compatibility
+#extension GL_ARB_shading_language_packing : require
 // SPDX-License-Identifier: MIT
 // O, first half: each pixel of a 4x4 cell takes its own group of the map's lights [seed 000, 3.2, fig. 3] and sums
 // flux cos over the lights it sees (num) and over all of them (den). Their filtered ratio is the visibility of D. A light is
@@ -14,6 +15,7 @@
 #include "lib/slices.glsl"
 #include "lib/visibility.glsl"
 #include "pass/gbuffer.glsl"
+#include "pass/lightsums.glsl"
 #ifdef HAS_ATLAS
 #include "pass/atlas.glsl"
 uniform float nearRadius;            // in texels of the atlas
@@ -29,12 +31,8 @@ uniform float occlusionRadius;       // in scene radii
 uniform float occlusionThickness;    // in radii of the occlusion
 uniform float sceneRadius;
 
-layout(location = 0) out vec4 num;
-layout(location = 1) out vec4 den;
-#ifdef HAS_LOBES
-layout(location = 2) out vec4 lobe; // the same two sums of solid angle times the lobe that S integrates: not the light in it,
-                                    // of which S knows more than these lights do
-#endif
+layout(location = 0) out uvec4 sumsTexel;
+layout(location = 1) out uvec4 placeTexel;
 
 // The surface in a pixel, and how far it must be lifted: a tenth of a pixel, and twice the step of a 24-bit depth buffer.
 struct Receiver {
@@ -89,45 +87,78 @@ RayMarch pixelRays(Receiver r)
     return rayMarchFrom(march, r.eye, r.normal, r.bias);
 }
 
-// Light i of a group: direction in eye space.
-struct Light {
-    vec3 direction;
-    vec3 flux;
-    float solidAngle;
-};
-
+// Into the frame of the lights.
+mat3 lightsFromEye()
+{
 #ifdef HAS_ATLAS
-Light lightOf(AtlasLight a)
-{
-    Light light;
-    light.direction = transpose(mat3(atlasFromEye)) * a.direction;
-    light.flux = a.flux;
-    light.solidAngle = a.solidAngle;
-    return light;
-}
+    return mat3(atlasFromEye);
 #else
-Light lightAt(int group, int i)
+    return mapFromEye;
+#endif
+}
+
+int lightCount()
 {
-    Light light;
-    light.direction = transpose(mapFromEye) * texelFetch(occlusionLightMap, ivec2(i, 2 * group), 0).xyz;
-    light.flux = texelFetch(occlusionLightMap, ivec2(i, 2 * group + 1), 0).rgb;
-    light.solidAngle = 0.0;
-    return light;
+#ifdef HAS_ATLAS
+    return textureSize(atlasLightMap, 0).x;
+#else
+    return textureSize(occlusionLightMap, 0).x;
+#endif
+}
+
+// Direction to light i of a group, of any length.
+vec3 towardsLight(int group, int i)
+{
+#ifdef HAS_ATLAS
+    return texelFetch(atlasLightMap, ivec2(i, 4 * group + 2), 0).xyz;
+#else
+    return texelFetch(occlusionLightMap, ivec2(i, 2 * group), 0).xyz;
+#endif
+}
+
+// The next light after i that is above the horizon of normal: pixels that run side by side look for theirs together, and none
+// waits while another is busy with a light that it does not see.
+int nextLight(int group, int i, int count, vec3 normal)
+{
+    do ++i;
+    while (i < count && dot(normal, towardsLight(group, i)) <= 0.0);
+    return i;
+}
+
+#ifdef OCCLUSION_BENT_NORMAL
+// The share of the sky that is open, as if it were lit from about its middle.
+LightSums bentSums(vec4 open, vec3 normal, int group)
+{
+    LightSums sums = LightSums(vec4(0.0), vec4(0.0), vec2(0.0));
+    int count = lightCount();
+    vec3 middle = normalize(open.xyz + 1e-20 * normal);
+    for (int i = 0; i < count; ++i) {
+#ifdef HAS_ATLAS
+        AtlasLight light = atlasLight(group, i);
+        vec4 e = vec4(light.flux, light.solidAngle);
+        vec3 direction = light.direction;
+#else
+        vec4 e = vec4(texelFetch(occlusionLightMap, ivec2(i, 2 * group + 1), 0).rgb, 0.0);
+        vec3 direction = towardsLight(group, i);
+#endif
+        sums.num += open.w * max(dot(middle, direction), 0.0) * e;
+        sums.den += max(dot(normal, direction), 0.0) * e;
+    }
+    return sums;
 }
 #endif
 
 void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
-    num = vec4(0.0);
-    den = vec4(0.0);
-#ifdef HAS_LOBES
-    lobe = vec4(0.0);
-#endif
-    if (isBackground(p)) return;
+    sumsTexel = uvec4(0u);
+    float depth = texelFetch(depthMap, p, 0).r;
+    placeTexel = packPlace(SumsPlace(vec3(0.0), depth, 0.0), vec2(0.0));
+    if (depth >= 1.0) return;
 
     Receiver receiver = receiverAt(p);
     int group = bayer4(p.x, p.y);
+    vec3 normal = lightsFromEye() * receiver.normal;
 #if defined(OCCLUSION_SLICES) || defined(OCCLUSION_SCALAR)
     Slices slices = pixelSlices(receiver, group);
 #endif
@@ -136,6 +167,10 @@ void main()
     for (int i = 0; i < slices.count; ++i) slices.slice[i] = belowHorizons(slices.slice[i]);
 #endif
     vec4 open = openSky(slices, receiver.normal);
+    open.xyz = lightsFromEye() * open.xyz;
+#endif
+#ifdef OCCLUSION_SLICES
+    slices = rotated(lightsFromEye(), slices);
 #endif
 #if defined(OCCLUSION_RAYS) || defined(OCCLUSION_POINTS)
     RayMarch march = pixelRays(receiver);
@@ -143,57 +178,60 @@ void main()
 #ifdef HAS_LOBES
     bool glossy = pixelBrdf(p) != BRDF_LAMBERT;
     float roughness = texelFetch(normalMap, p, 0).a;
-    vec3 view = -viewRay(inverseProjection, pixelNdc(p));
+    vec3 view = lightsFromEye() * -viewRay(inverseProjection, pixelNdc(p));
 #endif
 #ifdef HAS_ATLAS
     vec3 point = vec3(atlasFromEye * vec4(receiver.eye, 1.0));
-    vec3 normal = mat3(atlasFromEye) * receiver.normal;
-    int count = textureSize(atlasLightMap, 0).x;
-#else
-    int count = textureSize(occlusionLightMap, 0).x;
 #endif
-    for (int i = 0; i < count; ++i) {
-#ifdef HAS_ATLAS
-        AtlasLight mapped = atlasLight(group, i);
-        Light light = lightOf(mapped);
-#else
-        Light light = lightAt(group, i);
-#endif
-        float c = dot(receiver.normal, light.direction);
 #ifdef OCCLUSION_BENT_NORMAL
-        // The share of the sky that is open, as if it were lit from about its middle.
-        num += open.w * max(dot(normalize(open.xyz + 1e-20 * receiver.normal), light.direction), 0.0) *
-               vec4(light.flux, light.solidAngle);
-        den += max(c, 0.0) * vec4(light.flux, light.solidAngle);
-        continue;
+    LightSums sums = bentSums(open, normal, group);
+#else
+    // lobe: sums of solid angle times the lobe that S integrates: not the light in it, of which S knows more than these lights do.
+    LightSums sums = LightSums(vec4(0.0), vec4(0.0), vec2(0.0));
+    int count = lightCount();
+    int i = nextLight(group, -1, count, normal);
+    if (i < count) do {
+#ifdef HAS_ATLAS
+        AtlasLight light = atlasLight(group, i);
+        vec4 e = vec4(light.flux, light.solidAngle);
+        vec3 direction = light.direction;
+#else
+        vec4 e = vec4(texelFetch(occlusionLightMap, ivec2(i, 2 * group + 1), 0).rgb, 0.0);
+        vec3 direction = towardsLight(group, i);
 #endif
-        if (c <= 0.0) continue;
-        vec4 e = c * vec4(light.flux, light.solidAngle);
-        den += e;
+        float c = dot(normal, direction);
+        e *= c;
+        sums.den += e;
 #ifdef HAS_LOBES
-        float l = glossy ? e.a * lobeShare(receiver.normal, view, light.direction, roughness) : 0.0;
-        lobe.g += l;
+        float l = glossy ? e.a * lobeShare(normal, view, direction, roughness) : 0.0;
+        sums.lobe.y += l;
 #endif
+        bool seen = true;
 #ifdef OCCLUSION_SLICES
-        if (sliceBlocks(slices, light.direction)) continue;
+        seen = !sliceBlocks(slices, direction);
 #endif
-#ifdef OCCLUSION_RAYS
         // The points of neighbouring pixels and lights lie between each other.
-        float phase = fract(float(group) * 0.0625 + float(i) * 0.61803399);
-        if (rayBlocked(depthMap, march, light.direction, phase) > 0.5) continue;
+#ifdef OCCLUSION_RAYS
+        seen = seen && rayBlocked(depthMap, march, direction * lightsFromEye(), fract(float(group) * 0.0625 + float(i) * 0.61803399)) < 0.5;
 #endif
 #ifdef OCCLUSION_POINTS
-        e *= 1.0 - pointHidden(depthMap, march, light.direction, fract(float(group) * 0.0625 + float(i) * 0.61803399));
+        e *= 1.0 - pointHidden(depthMap, march, direction * lightsFromEye(), fract(float(group) * 0.0625 + float(i) * 0.61803399));
 #endif
 #ifdef OCCLUSION_HORIZONS
         e *= open.w;
 #endif
 #ifdef HAS_ATLAS
-        if (atlasSees(mapped, point, normal, c) < 0.5) continue;
+        seen = seen && atlasSees(light, point, normal, c) > 0.5;
 #endif
-        num += e;
+        if (seen) {
+            sums.num += e;
 #ifdef HAS_LOBES
-        lobe.r += l;
+            sums.lobe.x += l;
 #endif
-    }
+        }
+        i = nextLight(group, i, count, normal);
+    } while (i < count);
+#endif
+    sumsTexel = packSums(sums);
+    placeTexel = packPlace(SumsPlace(receiver.normal, depth, 1.0), sums.lobe);
 }

@@ -13,6 +13,7 @@ size_t texelBytes(GLint format)
 {
     switch (format) {
         case GL_RGBA32F_ARB:
+        case GL_RGBA32UI_EXT:
             return 16;
         case GL_RGB32F_ARB:
             return 12;

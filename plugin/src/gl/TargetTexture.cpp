@@ -10,8 +10,9 @@ osg::ref_ptr<osg::Texture2D> targetTexture(int width, int height, GLint internal
     texture->setTextureSize(width, height);
     texture->setInternalFormat(internalFormat);
     const bool depth = internalFormat == GL_DEPTH_COMPONENT24;
-    texture->setSourceFormat(depth ? GL_DEPTH_COMPONENT : GL_RGBA);
-    texture->setSourceType(depth ? GL_UNSIGNED_INT : GL_FLOAT);
+    const bool whole = internalFormat == GL_RGBA32UI_EXT;
+    texture->setSourceFormat(depth ? GL_DEPTH_COMPONENT : whole ? GL_RGBA_INTEGER_EXT : GL_RGBA);
+    texture->setSourceType(depth || whole ? GL_UNSIGNED_INT : GL_FLOAT);
     texture->setResizeNonPowerOfTwoHint(false);
     texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST);
     texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::NEAREST);

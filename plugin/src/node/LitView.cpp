@@ -25,6 +25,7 @@ LitView::LitView(Failure* failure, RetiredObjects* retired, SurfaceSorter* sorte
     graph.add(new SunFilterPass);
     graph.add(new DiffusePass);
     graph.add(new OcclusionPass);
+    graph.add(new FilterRowsPass);
     graph.add(new FilterPass);
     graph.add(new SpecularPass);
     graph.add(new BouncePass);

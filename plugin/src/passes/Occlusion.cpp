@@ -25,6 +25,8 @@ bool occludesLobes(const FrameContext& c)
     return c.decisions.atlas.needed && c.settings.specular && glossy;
 }
 
+const TextureDesc packed = {GL_RGBA32UI_EXT};  // as in pass/lightsums.glsl
+
 // What a still view's later frames read again of its first.
 TextureDesc ofFirstFrame(const FrameContext& c, GLint format, int side = 0)
 {
@@ -51,27 +53,40 @@ void OcclusionPass::setup(PassBuilder& b, FrameContext& c)
     static const char* const methods[] = {"OCCLUSION_SLICES", "OCCLUSION_RAYS", "OCCLUSION_POINTS", "OCCLUSION_HORIZONS",
                                           "OCCLUSION_BENT_NORMAL"};
     if (c.decisions.screen) b.define(methods[c.decisions.atlas.needed ? Settings::SLICE : c.settings.occlusionMethod]);
-    b.write(b.create("seen light"));
-    b.write(b.create("all light"));
-    if (!occludesLobes(c)) return;
-    b.define("HAS_LOBES");
-    b.write(b.create("seen lobe"));
+    b.define("HAS_LOBES", occludesLobes(c));
+    b.write(b.create("light sums", packed));
+    b.write(b.create("light places", packed));
+}
+
+Requirement FilterRowsPass::require(const FrameContext& c) const
+{
+    Requirement filter = c.decisions.occlusion;
+    return filter.because("averages the 16 groups of lights along rows");
+}
+
+void FilterRowsPass::setup(PassBuilder& b, FrameContext&)
+{
+    b.readGBuffer();
+    b.read(b.find("light sums"), "sumsMap");
+    b.read(b.find("light places"), "placeMap");
+    b.write(b.create("row sums", packed));
+    b.write(b.create("row places", packed));
 }
 
 Requirement FilterPass::require(const FrameContext& c) const
 {
     Requirement filter = c.decisions.occlusion;
-    return filter.because("averages the 16 groups of lights");
+    return filter.because("averages the 16 groups of lights, the rows along columns");
 }
 
 void FilterPass::setup(PassBuilder& b, FrameContext& c)
 {
     b.readGBuffer();
     b.define("COMBINE_SUBTRACT", c.settings.combine == Settings::SUBTRACT);
-    b.read(b.find("seen light"), "numMap");
-    b.read(b.find("all light"), "denMap");
+    b.read(b.find("row sums"), "sumsMap");
+    b.read(b.find("row places"), "placeMap");
     b.write(b.create("occlusion", ofFirstFrame(c, GL_RGBA16F_ARB)));
-    if (b.read("seen lobe", "lobeMap")) {
+    if (occludesLobes(c)) {
         b.define("HAS_LOBES");
         b.write(b.create("lobe visibility", ofFirstFrame(c, GL_RGBA16F_ARB)));
     }

@@ -6,7 +6,7 @@
 namespace osgEnvLight
 {
 
-/** First half of O: each pixel of a 4x4 cell sums another group of the map's lights, those that it sees and all. */
+/** First part of O: each pixel of a 4x4 cell sums another group of the map's lights, those that it sees and all. */
 class OSGENVLIGHT_EXPORT OcclusionPass : public RenderPass
 {
   public:
@@ -15,7 +15,16 @@ class OSGENVLIGHT_EXPORT OcclusionPass : public RenderPass
     void setup(PassBuilder& builder, FrameContext& context) override;
 };
 
-/** Second half: the ratio of these sums over cells. */
+/** Second part: these sums, averaged over cells along rows. */
+class OSGENVLIGHT_EXPORT FilterRowsPass : public RenderPass
+{
+  public:
+    const char* name() const override { return "filterrows"; }
+    Requirement require(const FrameContext& context) const override;
+    void setup(PassBuilder& builder, FrameContext& context) override;
+};
+
+/** Last part: the same along columns, and the sums' ratio. */
 class OSGENVLIGHT_EXPORT FilterPass : public RenderPass
 {
   public:

@@ -1,0 +1,20 @@
+#version 330 compatibility
+#extension GL_ARB_shading_language_packing : require
+// SPDX-License-Identifier: MIT
+// O, second part: the lights' sums filtered along rows.
+#include "pass/sumsfilter.glsl"
+
+layout(location = 0) out uvec4 rowSums;
+layout(location = 1) out uvec4 rowPlace;
+
+void main()
+{
+    ivec2 p = ivec2(gl_FragCoord.xy);
+    rowSums = uvec4(0u);
+    rowPlace = texelFetch(placeMap, p, 0);
+    SumsPlace place = unpackPlace(rowPlace);
+    if (place.depth >= 1.0) return;
+    LightSums sums = filteredSums(p, ivec2(1, 0), place);
+    rowSums = packSums(sums);
+    rowPlace = packPlace(place, sums.lobe);
+}
