@@ -35,6 +35,13 @@ float octahedralSolidAngleDensity(vec2 st)
     return 4.0 / (q2 * sqrt(q2));
 }
 
+// An octahedral map with a border of one texel, bilinear.
+vec3 octahedralLookup(sampler2D map, vec3 d)
+{
+    float size = float(textureSize(map, 0).x);
+    return vec3(textureLod(map, (octahedralFromDirection(d) * (size - 2.0) + 1.0) / size, 0.0));
+}
+
 // Side of a pyramid's level, the base having side baseSide (a power of two).
 float pyramidLevelSide(float baseSide, float level)
 {

@@ -1,10 +1,11 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // D: the diffuse term without occlusion, rho/pi times the integral of L cos [seed 000, eq. 3, second term], from
-// spherical harmonics of the map or from its importance-sampled lights. Radiance in units of the map's mean.
+// spherical harmonics of the map or from the irradiance of its importance-sampled lights. Radiance in units of the map's mean.
 #pragma import_defines(DIFFUSE_SH_9, DIFFUSE_SH_18, HAS_COOK_TORRANCE, HAS_SUNS, HAS_SUN_SHADOWS)
 
 #include "lib/constants.glsl"
+#include "lib/octahedral.glsl"
 #include "lib/sh.glsl"
 #include "pass/gbuffer.glsl"
 #include "pass/albedo.glsl"
@@ -16,7 +17,7 @@
 #define DIFFUSE_SH
 uniform vec3 shCoefficients[18];
 #else
-uniform sampler2D diffuseLightMap; // rows 2q, 2q + 1: direction and flux
+uniform sampler2D irradianceMap;  // over pi, of the importance-sampled lights
 #endif
 
 layout(location = 0) out vec4 diffuse;
@@ -36,13 +37,7 @@ vec3 irradianceOverPi(vec3 n)
     return shIrradiance(shCoefficients, n);
 #endif
 #else
-    vec3 sum = vec3(0.0);
-    ivec2 size = textureSize(diffuseLightMap, 0);
-    for (int row = 0; row < size.y; row += 2)
-        for (int i = 0; i < size.x; ++i)
-            sum += texelFetch(diffuseLightMap, ivec2(i, row + 1), 0).rgb *
-                   max(dot(n, texelFetch(diffuseLightMap, ivec2(i, row), 0).xyz), 0.0);
-    return sum * INV_PI;
+    return octahedralLookup(irradianceMap, n);
 #endif
 }
 

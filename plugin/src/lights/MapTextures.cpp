@@ -3,9 +3,11 @@
 
 #include "environment/Exposure.h"
 #include "environment/SphericalHarmonics.h"
+#include "lights/IrradianceMap.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "glsl.h"
 
@@ -38,7 +40,8 @@ MapTextures::MapTextures(const RadianceMap* map, const Continuation& former) : M
         carrier();
         harmonics();  // what a change of the carrier may ask for
     }
-    if (former.diffuseLights || _carrier.lights) diffuseLights();
+    if (former.diffuseLights) diffuseLights();
+    if (former.irradiance || _carrier.lights) irradiance();
     if (former.occlusionLights) occlusionList(former.occlusionLights);
     makeSunUniforms();
     exposure();
@@ -48,10 +51,10 @@ MapTextures::MapTextures(const MapTextures& former) = default;
 
 void MapTextures::settle()
 {
-    if (_diffuseLights) {
+    if (_diffuseLights || _irradiance) {
         _diffuse.settle(listed(), _diffuse.count(), _options);
-        _diffuseLights = nullptr;
-        diffuseLights();
+        if (std::exchange(_diffuseLights, nullptr)) diffuseLights();
+        if (std::exchange(_irradiance, nullptr)) irradiance();
     }
     if (_occlusionMade) {
         _occlusion.settle(listed(), _occlusion.count(), _options);
@@ -68,6 +71,7 @@ MapTextures::Continuation MapTextures::continuation(bool goesOn) const
     c.harmonics = _harmonics.valid();
     c.chosen = _carrierMade;
     c.diffuseLights = _diffuseLights.valid();
+    c.irradiance = _irradiance.valid();
     c.occlusionLights = _occlusionMade ? _occlusion.count() : 0;
     c.grid = _grid;
     if (!goesOn) return c;
@@ -92,6 +96,7 @@ void MapTextures::use(const MapOptions& options)
         _diffuse = LightStream(LightStream::PLAIN);
         _diffuseMade = false;
         _diffuseLights = nullptr;
+        _irradiance = nullptr;
     }
     if (!options.sameLists(_options)) {
         _occlusion = LightStream(LightStream::DEALT);
@@ -222,6 +227,7 @@ const LightList& MapTextures::diffuseList()
         _diffuse.next(listed(), count, _options);
         _diffuseMade = true;
         _diffuseLights = nullptr;
+        _irradiance = nullptr;
     }
     return _diffuse.lights();
 }
@@ -233,6 +239,13 @@ osg::Texture2D* MapTextures::diffuseLights()
     const unsigned rows = std::max((unsigned(list.size()) + 4095) / 4096, 1u);
     if (!_diffuseLights) _diffuseLights = lightTexture(list, rows, _scale);
     return _diffuseLights.get();
+}
+
+osg::Texture2D* MapTextures::irradiance()
+{
+    const LightList& list = diffuseList();
+    if (!_irradiance) _irradiance = irradianceTexture(list, _scale);
+    return _irradiance.get();
 }
 
 const LightList& MapTextures::occlusionList(unsigned count)
@@ -283,13 +296,13 @@ void MapTextures::makeSunUniforms()
 
 void MapTextures::resizeGLObjectBuffers(unsigned maximum)
 {
-    for (osg::Texture2D* t : {_latlong.get(), _pyramid.get(), _diffuseLights.get(), _occlusionLights.get()})
+    for (osg::Texture2D* t : {_latlong.get(), _pyramid.get(), _diffuseLights.get(), _irradiance.get(), _occlusionLights.get()})
         if (t) t->resizeGLObjectBuffers(maximum);
 }
 
 void MapTextures::releaseGLObjects(osg::State* state) const
 {
-    for (const osg::Texture2D* t : {_latlong.get(), _pyramid.get(), _diffuseLights.get(), _occlusionLights.get()})
+    for (const osg::Texture2D* t : {_latlong.get(), _pyramid.get(), _diffuseLights.get(), _irradiance.get(), _occlusionLights.get()})
         if (t) t->releaseGLObjects(state);
 }
 
@@ -299,7 +312,7 @@ size_t MapTextures::bytes() const
     for (const osg::Texture2D* t : {_latlong.get(), _pyramid.get()})
         if (t)
             sum += size_t(t->getImage()->s()) * size_t(t->getImage()->t()) * (t->getInternalFormat() == GL_RGB16F_ARB ? 6 : 12);
-    for (const osg::Texture2D* t : {_diffuseLights.get(), _occlusionLights.get()})
+    for (const osg::Texture2D* t : {_diffuseLights.get(), _irradiance.get(), _occlusionLights.get()})
         if (t) sum += t->getImage()->getTotalSizeInBytes();
     return sum;
 }

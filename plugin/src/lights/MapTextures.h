@@ -33,6 +33,7 @@ class OSGENVLIGHT_EXPORT MapTextures : public osg::Referenced
         bool harmonics = false;
         bool chosen = false;  // the carrier
         bool diffuseLights = false;
+        bool irradiance = false;
         unsigned occlusionLights = 0;
         std::shared_ptr<const OctahedralGrid> grid;
         // Absent for another image:
@@ -83,6 +84,8 @@ class OSGENVLIGHT_EXPORT MapTextures : public osg::Referenced
     /** The list of D, of listed(): as many lights as carrier() says, or options.diffuseLights where that has none. */
     osg::Texture2D* diffuseLights();
     const LightList& diffuseList();
+    /** The irradiance over pi of that list, by the normal: an octahedral map with a border of one texel. */
+    osg::Texture2D* irradiance();
 
     /** The grouped list of O, of listed(): count lights in 16 groups. */
     osg::Texture2D* occlusionLights(unsigned count);
@@ -125,6 +128,7 @@ class OSGENVLIGHT_EXPORT MapTextures : public osg::Referenced
     LightStream _diffuse{LightStream::PLAIN};
     bool _diffuseMade = false;
     osg::ref_ptr<osg::Texture2D> _diffuseLights;
+    osg::ref_ptr<osg::Texture2D> _irradiance;
     LightStream _occlusion{LightStream::DEALT};
     bool _occlusionMade = false;
     osg::ref_ptr<osg::Texture2D> _occlusionLights;
