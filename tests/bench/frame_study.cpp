@@ -7,6 +7,7 @@
 //   --frames N       21
 //   --against FILE   the same program of another build: its least time, and the median of the ratios of neighbouring frames
 //   --theirs NAME=VALUE  a setting of that one alone; NAME=VALUE is of both
+//   --fetches        count what each pass of one frame fetches from textures, per pixel of the picture, instead
 //   --serve          draw a frame and print its times for each line that is read
 #include <SceneRenderer.h>
 
@@ -15,8 +16,13 @@
 #include <osgEnvLight/BuiltinMaps>
 #include <osgEnvLight/Material>
 
+#include "Process.h"
+#include "gl/ShaderLibrary.h"
+
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <map>
@@ -29,6 +35,7 @@
 
 using osgEnvLight::LitScene;
 using osgEnvLight::Material;
+using osgEnvLight::ShaderLibrary;
 
 namespace
 {
@@ -41,7 +48,7 @@ struct Options {
     std::string map = "sky";
     std::string against;
     std::vector<std::string> settings, theirs;
-    bool serves = false;
+    bool serves = false, counts = false;
 };
 
 // Sixteen spheres on a plane, with together about that many triangles; a quarter of them metal, a quarter Phong.
@@ -99,7 +106,8 @@ class View
         const double before = processorTime();
         Times times = {{"frame", _renderer.time(_lit, 1)[0]}};
         times.emplace_back("processors", processorTime() - before);
-        for (const auto& t : _lit->passTimes()) times.emplace_back(t.pass, t.gpu);
+        for (const auto& t : _lit->plan().passes)
+            if (t.gpu >= 0.0) times.emplace_back(t.pass, t.gpu);
         return times;
     }
 
@@ -107,6 +115,83 @@ class View
     SceneRenderer _renderer;
     osg::ref_ptr<LitScene> _lit;
 };
+
+// The fragment shaders of the passes, changed so that each adds what it fetches to a number of its own in a buffer.
+class FetchCounters
+{
+  public:
+    FetchCounters()
+    {
+        const osg::ref_ptr<ShaderLibrary> library = new ShaderLibrary(nullptr);
+        std::filesystem::create_directory(_folder.file("pass"));
+        for (const std::string& name : ShaderLibrary::names())
+            if (std::filesystem::path(name).extension() == ".frag") {
+                _folder.write(name, counting(library->expand(name).text, _passes.size()));
+                _passes.push_back(std::filesystem::path(name).stem());
+            }
+        setenv("ENVLIGHT_SHADER_PATH", _folder.file("").c_str(), 1);
+    }
+
+    // From now on, in the current context.
+    void start()
+    {
+        const std::vector<GLuint> zeros(_passes.size());
+        if (!_gl) {
+            _gl = osg::GLExtensions::Get(0, true);
+            _gl->glGenBuffers(1, &_buffer);
+        }
+        _gl->glBindBuffer(GL_SHADER_STORAGE_BUFFER, _buffer);
+        _gl->glBufferData(GL_SHADER_STORAGE_BUFFER, GLsizeiptr(4 * zeros.size()), zeros.data(), GL_DYNAMIC_COPY);
+        _gl->glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, _buffer);
+    }
+
+    std::vector<std::pair<std::string, GLuint>> counts() const
+    {
+        std::vector<GLuint> numbers(_passes.size());
+        _gl->glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, GLsizeiptr(4 * numbers.size()), numbers.data());
+        std::vector<std::pair<std::string, GLuint>> result;
+        for (size_t i = 0; i < numbers.size(); ++i) result.emplace_back(_passes[i], numbers[i]);
+        return result;
+    }
+
+  private:
+    static std::string counting(const std::string& text, size_t index)
+    {
+        std::string head, body, line;
+        std::istringstream in(text);
+        while (std::getline(in, line)) {
+            const bool first = line.rfind("#version", 0) == 0 || line.rfind("#extension", 0) == 0 || line.rfind("#pragma", 0) == 0;
+            if (line.rfind("#line", 0) != 0) (first ? head : body) += line + "\n";
+        }
+        for (const char* extension : {"GL_ARB_shader_storage_buffer_object", "GL_ARB_shading_language_420pack"})
+            head += std::string("#extension ") + extension + " : require\n";
+        head += "layout(std430, binding = 0) buffer Fetches { uint fetchCounts[]; };\nint fetches = 0;\n";
+        for (const char* look : {"texelFetch(s, p, l)", "textureLod(s, p, l)", "texture(s, p)", "textureProj(s, p)"})
+            head += std::string("#define ") + look + " (++fetches, " + look + ")\n";
+        const size_t main = body.find("void main()");
+        if (main == std::string::npos) throw std::runtime_error("a pass without void main()");
+        body.replace(main, 11, "void fetchingMain()");
+        return head + body + "void main()\n{\n    fetchingMain();\n    atomicAdd(fetchCounts[" + std::to_string(index) +
+               "], uint(fetches));\n}\n";
+    }
+
+    TemporaryFolder _folder;
+    std::vector<std::string> _passes;
+    osg::GLExtensions* _gl = nullptr;
+    GLuint _buffer = 0;
+};
+
+void countFetches(const Options& options)
+{
+    FetchCounters counters;
+    View view(options);
+    counters.start();
+    view.draw();
+    const double pixels = double(options.width) * options.height;
+    std::cout << "fetches per pixel\n" << std::fixed << std::setprecision(1);
+    for (const auto& [pass, count] : counters.counts())
+        if (count > 0) std::cout << std::left << std::setw(16) << pass << std::right << std::setw(10) << count / pixels << "\n";
+}
 
 void serve(View& view)
 {
@@ -248,6 +333,8 @@ Options parse(const std::vector<std::string>& words)
             o.against = next();
         } else if (words[i] == "--theirs") {
             o.theirs.push_back(next());
+        } else if (words[i] == "--fetches") {
+            o.counts = true;
         } else if (words[i] == "--serve") {
             o.serves = true;
         } else {
@@ -266,6 +353,8 @@ int main(int argc, char** argv)
         if (options.serves) {
             View view(options);
             serve(view);
+        } else if (options.counts) {
+            countFetches(options);
         } else {
             compare(options);
         }
