@@ -72,7 +72,7 @@ void checkOutputs(const Arguments& a)
     }
 }
 
-// Not CLI::Range, which lets NaN pass.
+// Not Option::within, which lets NaN pass.
 void checkRange(const char* option, double value, double low, double high)
 {
     if (value >= low && value <= high) return;
@@ -155,23 +155,21 @@ void writeOutputs(const Arguments& a, const Result& r)
     }
 }
 
-void addOptions(CLI::App& app, Arguments& a)
+void addOptions(CommandLine& line, Arguments& a)
 {
-    app.add_option("MAP", a.map, "environment map: a file, sky or studio")->required();
-    app.add_option("--sampler", a.sampler, samplerChoices() + "; default auto");
-    app.add_option("--count", a.count, "how many lights; default 128")->check(CLI::Range(1, 65536));
-    app.add_option(
-        "--suns", a.suns,
-        "auto (default): small bright sources are cut from the map and listed apart; a number: that many at most; off");
-    app.add_option("--seed", a.options.seed, "of samplers that place points; default 0");
-    app.add_option("--rotation", a.rotation, "degrees that the directions are turned, counter-clockwise about +Z");
-    app.add_option("--floor", a.options.floor, "uniform radiance, in units of the map's mean, that draws lights into dark parts");
-    app.add_option("--weights", a.weights,
-                   "whether the lights are weighted to match the map's harmonics: auto (default), on, off");
-    app.add_option("--layout", a.layout, "layout of the map where its shape does not say it: " + mapLayoutChoices());
-    app.add_option("-o,--output", a.outputs, "OUT.json (the list) or OUT.png (the map with the lights on it); repeatable")
-        ->allow_extra_args(false)
-        ->required();
+    line.add("MAP", a.map, "environment map: a file, sky or studio").required();
+    line.add("--sampler", a.sampler, samplerChoices() + "; default auto");
+    line.add("--count", a.count, "how many lights; default 128").within(1, 65536);
+    line.add("--suns", a.suns,
+             "auto (default): small bright sources are cut from the map and listed apart; a number: that many at most; off");
+    line.add("--seed", a.options.seed, "of samplers that place points; default 0");
+    line.add("--rotation", a.rotation, "degrees that the directions are turned, counter-clockwise about +Z");
+    line.add("--floor", a.options.floor, "uniform radiance, in units of the map's mean, that draws lights into dark parts");
+    line.add("--weights", a.weights, "whether the lights are weighted to match the map's harmonics: auto (default), on, off");
+    line.add("--layout", a.layout, "layout of the map where its shape does not say it: " + mapLayoutChoices());
+    line.add("-o,--output", a.outputs, "OUT.json (the list) or OUT.png (the map with the lights on it); repeatable")
+        .repeatable()
+        .required();
 }
 
 int run(const Arguments& a)
@@ -189,7 +187,7 @@ int run(const Arguments& a)
 int main(int argc, char** argv)
 {
     Arguments arguments;
-    CLI::App app("Writes a high-dynamic-range environment map as a list of directional lights.", "envlight-lights");
-    addOptions(app, arguments);
-    return runCommandLine(app, argc, argv, [&] { return run(arguments); });
+    CommandLine line("envlight-lights", "Writes a high-dynamic-range environment map as a list of directional lights.");
+    addOptions(line, arguments);
+    return line.run(argc, argv, [&] { return run(arguments); });
 }

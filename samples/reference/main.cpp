@@ -173,31 +173,31 @@ int main(int argc, char** argv)
 {
     Arguments a;
     a.options.samples = 0;
-    CLI::App app("The picture that an exact renderer would make of the scene: ray traced, unbiased, with its own uncertainty.",
-                 "envlight-reference");
-    a.scene.addTo(app);
-    app.add_option(
-           "--paths", a.paths,
-           "unoccluded: the environment unhindered; direct (default): stopped by the scene; full: from surface to surface")
-        ->check(CLI::IsMember(pathNames));
-    app.add_option("--term", a.term,
-                   "a part of the picture, by --paths: beauty, diffuse, specular, occlusion, visibility, sun (the map's suns "
-                   "alone), indirect, emission, albedo, normal, depth")
-        ->check(CLI::IsMember(termNames));
-    app.add_option("--estimator", a.estimator,
-                   "mis (default): map, lobe and cosine together; cosine or uniform: nothing is shared with the shaders but the "
-                   "BRDF's value, the same mean with far more noise")
-        ->check(CLI::IsMember(estimatorNames));
-    app.add_option("--spp", a.options.samples, "samples per pixel, default 256")->check(CLI::Range(1u, 1u << 24));
-    app.add_option("--error", a.options.error, "stop at this standard error, as a share of the picture's mean: .01 is 1 %")
-        ->check(CLI::Range(1e-6, 1.0));
-    app.add_option("--seed", a.options.seed, "of the random numbers, default 0");
-    app.add_flag("--antialias", a.options.antialias, "points spread over the pixel; without, its centre, as the rasteriser's");
-    app.add_option("--lights", a.lights, "light D by this list (envlight-lights) instead of by the map");
-    app.add_option("--pixel", a.pixel, "x,y from the upper left: write this pixel's integrand over all directions instead")
-        ->delimiter(',')
-        ->expected(2);
-    app.add_flag("--quiet", a.quiet, "no progress, no summary");
-    app.add_option("-o,--output", a.output, "OUT.exr (linear, with a layer of its variance) or OUT.png")->required();
-    return runCommandLine(app, argc, argv, [&] { return run(a); });
+    CommandLine line(
+        "envlight-reference",
+        "The picture that an exact renderer would make of the scene: ray traced, unbiased, with its own uncertainty.");
+    a.scene.addTo(line);
+    line.add("--paths", a.paths,
+             "unoccluded: the environment unhindered; direct (default): stopped by the scene; full: from surface to surface")
+        .oneOf(pathNames);
+    line.add("--term", a.term,
+             "a part of the picture, by --paths: beauty, diffuse, specular, occlusion, visibility, sun (the map's suns "
+             "alone), indirect, emission, albedo, normal, depth")
+        .oneOf(termNames);
+    line.add("--estimator", a.estimator,
+             "mis (default): map, lobe and cosine together; cosine or uniform: nothing is shared with the shaders but the "
+             "BRDF's value, the same mean with far more noise")
+        .oneOf(estimatorNames);
+    line.add("--spp", a.options.samples, "samples per pixel, default 256").within(1u, 1u << 24);
+    line.add("--error", a.options.error, "stop at this standard error, as a share of the picture's mean: .01 is 1 %")
+        .within(1e-6, 1.0);
+    line.add("--seed", a.options.seed, "of the random numbers, default 0");
+    line.addFlag("--antialias", a.options.antialias, "points spread over the pixel; without, its centre, as the rasteriser's");
+    line.add("--lights", a.lights, "light D by this list (envlight-lights) instead of by the map");
+    line.add("--pixel", a.pixel, "x,y from the upper left: write this pixel's integrand over all directions instead")
+        .separatedBy(',')
+        .ofValues(2);
+    line.addFlag("--quiet", a.quiet, "no progress, no summary");
+    line.add("-o,--output", a.output, "OUT.exr (linear, with a layer of its variance) or OUT.png").required();
+    return line.run(argc, argv, [&] { return run(a); });
 }

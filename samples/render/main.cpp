@@ -24,22 +24,19 @@ struct Arguments {
     std::string statistics;
 };
 
-void addOptions(CLI::App& app, Arguments& a)
+void addOptions(CommandLine& line, Arguments& a)
 {
-    a.scene.addTo(app);
-    app.add_option("--term", a.term,
-                   "an intermediate instead of the picture: diffuse, specular, occlusion, albedo, normal, depth ...");
-    app.add_option(
-           "--frames", a.frames,
-           "let the still picture converge (accumulate=on) over so many frames: the first is the normal one, each further "
-           "one adds 16 lights with shadow maps of their own")
-        ->check(CLI::Range(1, 65536));
-    app.add_option(
-           "--error", a.error,
-           "let it converge until its estimated standard error is this share of its mean, or for --frames, or 4096, frames")
-        ->check(CLI::Range(1e-6, 1.0));
-    app.add_option("--stats", a.statistics, "JSON file for plan and times");
-    app.add_option("-o,--output", a.output, "OUT.exr (linear radiance) or OUT.png (exposed and tone mapped)")->required();
+    a.scene.addTo(line);
+    line.add("--term", a.term, "an intermediate instead of the picture: diffuse, specular, occlusion, albedo, normal, depth ...");
+    line.add("--frames", a.frames,
+             "let the still picture converge (accumulate=on) over so many frames: the first is the normal one, each further "
+             "one adds 16 lights with shadow maps of their own")
+        .within(1, 65536);
+    line.add("--error", a.error,
+             "let it converge until its estimated standard error is this share of its mean, or for --frames, or 4096, frames")
+        .within(1e-6, 1.0);
+    line.add("--stats", a.statistics, "JSON file for plan and times");
+    line.add("-o,--output", a.output, "OUT.exr (linear radiance) or OUT.png (exposed and tone mapped)").required();
 }
 
 // Draws what is to be written.
@@ -85,7 +82,8 @@ int run(Arguments& a)
 int main(int argc, char** argv)
 {
     Arguments arguments;
-    CLI::App app("Renders a scene lit by a high-dynamic-range environment to an image, without an X server.", "envlight-render");
-    addOptions(app, arguments);
-    return runCommandLine(app, argc, argv, [&] { return run(arguments); });
+    CommandLine line("envlight-render",
+                     "Renders a scene lit by a high-dynamic-range environment to an image, without an X server.");
+    addOptions(line, arguments);
+    return line.run(argc, argv, [&] { return run(arguments); });
 }

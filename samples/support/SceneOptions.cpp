@@ -33,23 +33,22 @@ osg::ref_ptr<osgEnvLight::LitScene> loadScene(const std::string& name)
 
 }  // namespace
 
-void SceneOptions::addTo(CLI::App& app)
+void SceneOptions::addTo(CommandLine& line)
 {
-    app.add_option("SCENE", scene, "a model, or a scene description (.envlight)")->required();
-    app.add_option("--env", map, "environment map: a file, sky or studio");
-    app.add_option("--env-layout", layout,
-                   "layout of the map where its shape does not say it: " + osgEnvLight::mapLayoutChoices());
-    app.add_option("--env-rotation", rotation, "degrees, counter-clockwise about +Z");
-    app.add_option("--camera", cameraFile, "camera from a JSON file");
-    app.add_option("--eye", eye, "x,y,z")->delimiter(',')->expected(3);
-    app.add_option("--target", target, "x,y,z")->delimiter(',')->expected(3);
-    app.add_option("--up", up, "x,y,z")->delimiter(',')->expected(3);
-    app.add_option("--fovy", fovy, "vertical opening angle, degrees")->check(CLI::Range(0.01, 179.0));
-    app.add_option("--size", size, "WIDTHxHEIGHT, default 512x512");
-    app.add_option(
-           "--set", settings,
-           "name=value of a property of Settings (switches take on | off), or preset=low | default | high | interior; repeatable")
-        ->allow_extra_args(false);
+    line.add("SCENE", scene, "a model, or a scene description (.envlight)").required();
+    line.add("--env", map, "environment map: a file, sky or studio");
+    line.add("--env-layout", layout, "layout of the map where its shape does not say it: " + osgEnvLight::mapLayoutChoices());
+    line.add("--env-rotation", rotation, "degrees, counter-clockwise about +Z");
+    line.add("--camera", cameraFile, "camera from a JSON file");
+    line.add("--eye", eye, "x,y,z").separatedBy(',').ofValues(3);
+    line.add("--target", target, "x,y,z").separatedBy(',').ofValues(3);
+    line.add("--up", up, "x,y,z").separatedBy(',').ofValues(3);
+    line.add("--fovy", fovy, "vertical opening angle, degrees").within(0.01, 179.0);
+    line.add("--size", size, "WIDTHxHEIGHT, default 512x512");
+    line.add("--set", settings,
+             "name=value of a property of Settings (switches take on | off), or preset=low | default | high | interior; "
+             "repeatable")
+        .repeatable();
 }
 
 void SceneOptions::check()

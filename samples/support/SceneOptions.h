@@ -28,7 +28,7 @@ struct SceneOptions {
     int height = 0;
 
     /** To a program's options. */
-    void addTo(CLI::App& app);
+    void addTo(CommandLine& line);
 
     /** Throws BadArguments for what no file need be read to refuse. */
     void check();

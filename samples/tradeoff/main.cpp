@@ -220,26 +220,22 @@ int main(int argc, char** argv)
 {
     Arguments a;
     a.command = commandOf(argc, argv);
-    CLI::App app("Measures what every setting costs and how exact it is, on this scene and machine, and writes a report.",
-                 "envlight-tradeoff");
-    a.scene.addTo(app);
-    app.add_option("--sweep", a.sweeps, "name=value,value,...: measure these values of a setting too; repeatable")
-        ->allow_extra_args(false);
-    app.add_option("--paths", a.paths,
-                   "what the reference has: direct (default) light, or full transport from surface to surface")
-        ->check(CLI::IsMember({"direct", "full"}));
-    app.add_option("--only", a.only, "of the presets and sweeps only those of these names: preset,occlusionLights")
-        ->delimiter(',');
-    app.add_option("--reference-error", a.referenceError,
-                   "the reference's standard error, as a share of its mean; default .003, with --quick .01, or what six minutes, "
-                   "with --quick 35 seconds, allow")
-        ->check(CLI::Range(1e-6, 1.0));
-    app.add_flag("--quick", a.quick, "fewer settings and frames and a coarser reference: under two minutes");
-    app.add_option("--target-error", a.targetError, "print the cheapest settings with at most this error: .02 is 2 %")
-        ->check(CLI::Range(1e-6, 10.0));
-    app.add_option("--target-ms", a.targetMilliseconds, "print the most exact settings within these milliseconds")
-        ->check(CLI::Range(1e-3, 1e6));
-    app.add_flag("--quiet", a.quiet, "no progress, no headline");
-    app.add_option("-o,--output", a.output, "folder of the report: index.html, tradeoff.csv, tradeoff.json")->required();
-    return runCommandLine(app, argc, argv, [&] { return run(a); });
+    CommandLine line("envlight-tradeoff",
+                     "Measures what every setting costs and how exact it is, on this scene and machine, and writes a report.");
+    a.scene.addTo(line);
+    line.add("--sweep", a.sweeps, "name=value,value,...: measure these values of a setting too; repeatable").repeatable();
+    line.add("--paths", a.paths, "what the reference has: direct (default) light, or full transport from surface to surface")
+        .oneOf({"direct", "full"});
+    line.add("--only", a.only, "of the presets and sweeps only those of these names: preset,occlusionLights").separatedBy(',');
+    line.add("--reference-error", a.referenceError,
+             "the reference's standard error, as a share of its mean; default .003, with --quick .01, or what six minutes, "
+             "with --quick 35 seconds, allow")
+        .within(1e-6, 1.0);
+    line.addFlag("--quick", a.quick, "fewer settings and frames and a coarser reference: under two minutes");
+    line.add("--target-error", a.targetError, "print the cheapest settings with at most this error: .02 is 2 %")
+        .within(1e-6, 10.0);
+    line.add("--target-ms", a.targetMilliseconds, "print the most exact settings within these milliseconds").within(1e-3, 1e6);
+    line.addFlag("--quiet", a.quiet, "no progress, no headline");
+    line.add("-o,--output", a.output, "folder of the report: index.html, tradeoff.csv, tradeoff.json").required();
+    return line.run(argc, argv, [&] { return run(a); });
 }
