@@ -93,16 +93,45 @@ std::string outputOf(const std::string& command, int& status)
     return output;
 }
 
-// glslangValidator's status for one text, as a file of that extension.
-std::string validate(const std::string& text, const std::string& extension, int& status)
+// Texts for one run of glslangValidator, which takes longer to start than to judge one.
+class Validation
 {
-    const fs::path file =
-        fs::path(testing::TempDir()) / ("envlight_validation_" + std::to_string(std::uintptr_t(&text)) + extension);
-    std::ofstream(file) << text;
-    const std::string output = outputOf("'" GLSLANG_VALIDATOR "' '" + file.string() + "'", status);
-    fs::remove(file);
-    return output;
-}
+  public:
+    Validation() { fs::create_directories(_folder); }
+    ~Validation() { fs::remove_all(_folder); }
+
+    void add(const std::string& what, const std::string& text, const std::string& extension)
+    {
+        _whats.push_back(what);
+        const fs::path file = _folder / (std::to_string(_whats.size()) + extension);
+        std::ofstream(file) << text;
+        _files.push_back(file.string());
+    }
+
+    // Empty if all are valid, else the messages, each behind what it is about.
+    std::string faults() const
+    {
+        std::string command = "'" GLSLANG_VALIDATOR "'";
+        for (const std::string& file : _files) command += " '" + file + "'";
+        int status = 0;
+        std::istringstream output(outputOf(command, status));
+        if (status == 0) return "";
+        std::string result = "status " + std::to_string(status) + "\n", what;
+        for (std::string line; std::getline(output, line);) {
+            const auto file = std::find(_files.begin(), _files.end(), line);
+            if (file != _files.end())
+                what = _whats[size_t(file - _files.begin())];
+            else if (!line.empty())
+                result += what + ": " + line + "\n";
+        }
+        return result;
+    }
+
+  private:
+    const fs::path _folder = fs::path(testing::TempDir()) / ("envlight_validation_" + std::to_string(std::uintptr_t(this)));
+    std::vector<std::string> _whats;
+    std::vector<std::string> _files;
+};
 
 }  // namespace
 
@@ -117,16 +146,23 @@ TEST(validation, EveryProgramHasADefineSet)
 TEST(validation, GlslangAcceptsEveryVariant)
 {
     if (std::string(GLSLANG_VALIDATOR).empty()) GTEST_SKIP() << "glslangValidator (package glslang-tools) is not installed";
-    int status = 0;
-    validate("#version 330\nvoid main() { fault; }\n", ".frag", status);
-    ASSERT_NE(status, 0);  // it does judge
+    const char* const valid = "#version 330\nvoid main() {}\n";
+    Validation judged;
+    judged.add("valid", valid, ".frag");
+    EXPECT_EQ(judged.faults(), "");
+    judged.add("faulty", "#version 330\nvoid main() { fault; }\n", ".frag");
+    judged.add("valid, too", valid, ".frag");
+    const std::string faults = judged.faults();
+    EXPECT_NE(faults.find("faulty: ERROR: 0:2: 'fault'"), std::string::npos) << faults;
+    EXPECT_EQ(faults.find("valid"), std::string::npos) << faults;
+
     for (const char* extension : {".vert", ".frag"})
         for (const std::string& name : programs(extension)) {
             const std::string text = expanded(name);
-            for (const Defines& set : variants(imported(text))) {
-                const std::string output = validate(withDefines(text, set), extension, status);
-                EXPECT_EQ(status, 0) << name << " " << listOf(set) << "\n" << output;
-            }
+            Validation variantsOfIt;
+            for (const Defines& set : variants(imported(text)))
+                variantsOfIt.add(name + " " + listOf(set), withDefines(text, set), extension);
+            EXPECT_EQ(variantsOfIt.faults(), "");
         }
 }
 
