@@ -8,6 +8,7 @@
 #include "lib/frame.glsl"
 #include "lib/fresnel.glsl"
 #include "lib/ggx.glsl"
+#include "lib/limits.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/sequence.glsl"
 #include "lib/sh.glsl"

@@ -49,11 +49,11 @@ AtlasRefresh::States statesOf(PassBuilder& b, FrameContext& c, const char* shade
 
 }  // namespace
 
-void drawMaps(PassBuilder& b, FrameContext& c, const std::string& name, const char* shader, osg::Camera& camera,
+void drawMaps(PassBuilder& b, FrameContext& c, const char* pass, const std::string& name, const char* shader, osg::Camera& camera,
               const ShadowTargets& targets, const std::vector<ShadowRefresh>& refreshes, std::vector<Caster>&& casters)
 {
     AtlasRefresh& refresh = c.frame.refresh(name);
-    refresh.prepare(targets, refreshes, std::move(casters), statesOf(b, c, shader, targets), c.timed(name));
+    refresh.prepare(targets, refreshes, std::move(casters), statesOf(b, c, shader, targets), c.timed(pass));
     b.draw({name, &refresh, &camera});
 }
 
@@ -89,10 +89,10 @@ unsigned AtlasOwner::update(const FrameContext& c, const LightList& list, unsign
     return unsigned(_refreshes.size());
 }
 
-void AtlasOwner::draw(PassBuilder& b, FrameContext& c, const std::string& name)
+void AtlasOwner::draw(PassBuilder& b, FrameContext& c, const char* pass, const std::string& name)
 {
     if (_maps && !_refreshes.empty())
-        drawMaps(b, c, name, "pass/midpoint.frag", *_camera, _maps->targets(), _refreshes, _maps->drawn());
+        drawMaps(b, c, pass, name, "pass/midpoint.frag", *_camera, _maps->targets(), _refreshes, _maps->drawn());
     _refreshes.clear();
 }
 

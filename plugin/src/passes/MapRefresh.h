@@ -13,10 +13,12 @@ namespace osgEnvLight
 {
 
 /** The draw of shadow maps of the sky or of suns.
- * @param name    of the draw and its time
+ * @param pass    whose time it adds to
+ * @param name    of the draw
  * @param shader  that makes the maps from the first two surfaces */
-void drawMaps(PassBuilder& builder, FrameContext& context, const std::string& name, const char* shader, osg::Camera& camera,
-              const ShadowTargets& targets, const std::vector<ShadowRefresh>& refreshes, std::vector<Caster>&& casters);
+void drawMaps(PassBuilder& builder, FrameContext& context, const char* pass, const std::string& name, const char* shader,
+              osg::Camera& camera, const ShadowTargets& targets, const std::vector<ShadowRefresh>& refreshes,
+              std::vector<Caster>&& casters);
 
 /** A draw may still use them. */
 void retire(const ShadowTargets& targets, RetiredObjects& retired);
@@ -36,7 +38,7 @@ class OSGENVLIGHT_EXPORT AtlasOwner
      * @param budget  at most */
     unsigned update(const FrameContext& context, const LightList& list, unsigned budget);
     /** In setup(): draw them. */
-    void draw(PassBuilder& builder, FrameContext& context, const std::string& name);
+    void draw(PassBuilder& builder, FrameContext& context, const char* pass, const std::string& name);
 
     size_t bytes() const { return _maps ? _maps->bytes() : 0; }
     void resizeGLObjectBuffers(unsigned maximum);

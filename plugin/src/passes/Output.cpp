@@ -10,7 +10,7 @@ Requirement ResolvePass::require(const FrameContext& c) const
 {
     Requirement resolve;
     resolve.unless(c.settings.view != Settings::BEAUTY, "an intermediate is shown");
-    return resolve.because("the sum of the terms, " + c.behind);
+    return resolve.because("the sum of the terms");
 }
 
 // A still view shows its first frame's while its average is young.
@@ -26,10 +26,10 @@ void ResolvePass::setup(PassBuilder& b, FrameContext& c)
     b.write(radiance);
 }
 
-Requirement CompositePass::require(const FrameContext&) const
+Requirement CompositePass::require(const FrameContext& c) const
 {
     Requirement composite;
-    return composite.because("into the host's colour and depth");
+    return composite.because("into the host's colour and depth, " + c.behind);
 }
 
 void CompositePass::setup(PassBuilder& b, FrameContext& c)

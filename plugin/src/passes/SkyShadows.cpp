@@ -126,8 +126,8 @@ void SkyShadows::update(FrameContext& c)
 void SkyShadows::setup(PassBuilder& b, FrameContext& c)
 {
     if (c.nearSkyMaps) c.remark(describe(c.nearSkyMaps->focus()));
-    _all.draw(b, c, "atlas");
-    _near.draw(b, c, "near atlas");
+    _all.draw(b, c, name(), "atlas");
+    _near.draw(b, c, name(), "near atlas");
 }
 
 void SkyShadows::dismiss(FrameContext& c)

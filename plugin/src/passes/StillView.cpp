@@ -118,8 +118,8 @@ ShadowAtlas& StillView::updateMaps(const FrameContext& c, AtlasOwner& owner, con
 
 void StillView::setup(PassBuilder& b, FrameContext& c)
 {
-    _all.draw(b, c, "stillmaps");
-    _near.draw(b, c, "near stillmaps");
+    _all.draw(b, c, name(), "stillmaps");
+    _near.draw(b, c, name(), "near stillmaps");
 }
 
 void StillView::dismiss(FrameContext& c)

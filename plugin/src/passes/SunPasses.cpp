@@ -76,7 +76,7 @@ void SunMaps::setup(PassBuilder& b, FrameContext& c)
 {
     if (!_refreshes.empty()) {
         auto casters = std::vector<Caster>(_maps->casters());
-        drawMaps(b, c, name(), "pass/sunmap.frag", *_camera, _maps->targets(), _refreshes, std::move(casters));
+        drawMaps(b, c, name(), name(), "pass/sunmap.frag", *_camera, _maps->targets(), _refreshes, std::move(casters));
     }
     _refreshes.clear();
 }
