@@ -3,7 +3,7 @@
 // and vertices, and of images without floats, are sRGB encoded; those of our Material are linear.
 #ifndef SURFACE_GLSL
 #define SURFACE_GLSL
-#pragma import_defines(ENVLIGHT_COOK_TORRANCE, ENVLIGHT_LAMBERT, ENVLIGHT_PHONG, FACE_NORMAL, VERTEX_COLOR, UNLIT, NO_TEXTURE, LINEAR_TEXTURE, ALPHA_TEXTURE, TEXTURE_REPLACE, TEXTURE_DECAL, TEXTURE_BLEND, TEXTURE_ADD, PAINTED_REFLECTION, PHONG_MATERIAL, TWO_SIDED)
+#pragma import_defines(HAS_SUN_MAPS, ENVLIGHT_COOK_TORRANCE, ENVLIGHT_LAMBERT, ENVLIGHT_PHONG, FACE_NORMAL, VERTEX_COLOR, UNLIT, NO_TEXTURE, LINEAR_TEXTURE, ALPHA_TEXTURE, TEXTURE_REPLACE, TEXTURE_DECAL, TEXTURE_BLEND, TEXTURE_ADD, PAINTED_REFLECTION, PHONG_MATERIAL, TWO_SIDED)
 
 #include "lib/bulge.glsl"
 #include "lib/depth.glsl"
@@ -29,8 +29,10 @@ uniform float envlightExponent;
 
 in vec3 eyePosition;
 in vec3 eyeNormal;
+#ifdef HAS_SUN_MAPS
 flat in vec3 cornerPosition;
 flat in vec3 cornerNormal;
+#endif
 in vec4 vertexColor;
 in vec3 textureCoordinate;  // s, t, q
 
@@ -43,7 +45,7 @@ struct Surface {
     vec3 f0;         // colour of the lobe at normal incidence
     int brdf;        // BRDF_LAMBERT, BRDF_PHONG, BRDF_COOK_TORRANCE
     vec3 emission;   // radiance
-    float bulge;     // of what the normals stand for above the facet, in shares of the distance to the eye
+    float bulge;     // of what the normals stand for above the facet, in shares of the distance to the eye: for the suns' maps alone
 };
 
 // Unit normal of the facet, on the side that the view ray meets: that decides, not gl_FrontFacing, which a mirroring transform
@@ -135,7 +137,7 @@ const float PAINTED_REFLECTANCE = 0.9;
 // In shares of the distance to the eye.
 float surfaceBulge(vec3 facet, vec3 normal)
 {
-#ifdef FACE_NORMAL
+#if defined(FACE_NORMAL) || !defined(HAS_SUN_MAPS)
     return 0.0;
 #else
     float cornerLength = length(cornerNormal);

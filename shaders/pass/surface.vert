@@ -1,14 +1,16 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // Geometry of the host's own drawables, for the G-buffer and for what is drawn forward.
-#pragma import_defines(NO_TEXTURE, TEXGEN_OBJECT, TEXGEN_EYE, TEXGEN_PROJECTED)
+#pragma import_defines(HAS_SUN_MAPS, NO_TEXTURE, TEXGEN_OBJECT, TEXGEN_EYE, TEXGEN_PROJECTED)
 
 uniform vec2 subpixel;  // shift of the picture in clip space over w
 
 out vec3 eyePosition;
 out vec3 eyeNormal;
+#ifdef HAS_SUN_MAPS
 flat out vec3 cornerPosition;  // of one corner of the triangle
 flat out vec3 cornerNormal;
+#endif
 out vec4 vertexColor;
 out vec3 textureCoordinate;  // s, t, q
 
@@ -16,8 +18,10 @@ void main()
 {
     eyePosition = vec3(gl_ModelViewMatrix * gl_Vertex);
     eyeNormal = gl_NormalMatrix * gl_Normal;
+#ifdef HAS_SUN_MAPS
     cornerPosition = eyePosition;
     cornerNormal = eyeNormal;
+#endif
     vertexColor = gl_Color;
 #ifndef NO_TEXTURE
     vec4 coordinate = gl_MultiTexCoord0;

@@ -66,7 +66,7 @@ try {
     if (!gbuffer) return false;
     FrameContext c = contextOf(node, vd, *settings, *textures, *gbuffer, cv, *host);
     const bool sunny = Decisions::wantsSunMaps(*settings) && !c.facts.mapIsBlack && !textures->suns().empty();
-    if (c.facts.ownGBuffer) vd.gbufferPass->prepareFrame(c);
+    if (c.facts.ownGBuffer) vd.gbufferPass->prepareFrame(c, sunny);
     lock.unlock();
 
     std::vector<ForwardGraph> forward;

@@ -76,16 +76,19 @@ Requirement GBufferPass::require(const FrameContext& c) const
     return r.because(counted(c.facts.surfaces.deferred, "drawables, ") + counted(c.facts.surfaces.forward, "drawn forward"));
 }
 
-osg::StateSet& GBufferPass::state(FrameContext& c)
+osg::StateSet& GBufferPass::state(FrameContext& c, bool sunny)
 {
     const DepthConvention& depth = c.depth;
     const bool plain = !depth.reversed && depth.near == 0.0 && depth.far == 1.0;
     const char* const name = plain ? "gbuffer" : depth.grows() ? "gbuffer growing" : "gbuffer falling";
     osg::Program* program = c.shaders.program("pass/surface.vert", "pass/gbuffer.frag");
-    const StateSets::State state = _states.get({name, {}, {c.viewport, program}});
+    // Only the suns' maps are asked from the smooth surface above a facet.
+    const std::vector<std::string> defines(sunny ? 1 : 0, "HAS_SUN_MAPS");
+    const StateSets::State state = _states.get({name, defines, {c.viewport, program}});
     _states.endFrame();
     if (!state.isNew) return state.stateSet;
     GBufferFill::setState(state.stateSet, program, c.viewport);
+    for (const std::string& d : defines) state.stateSet.setDefine(d);
     const double near = depth.grows() ? 0.0 : 1.0;
     if (!plain)
         state.stateSet.setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, near, 1.0 - near),
@@ -93,10 +96,10 @@ osg::StateSet& GBufferPass::state(FrameContext& c)
     return state.stateSet;
 }
 
-void GBufferPass::prepareFrame(FrameContext& c)
+void GBufferPass::prepareFrame(FrameContext& c, bool sunny)
 {
     FrameResources& f = c.frame;
-    osg::StateSet& shared = state(c);
+    osg::StateSet& shared = state(c, sunny);
     if (f.fillState != &shared) {
         const osg::ref_ptr<osg::StateSet> own = new osg::StateSet(shared);
         f.subpixel = new osg::Uniform("subpixel", osg::Vec2());

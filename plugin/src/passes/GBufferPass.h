@@ -24,12 +24,13 @@ class OSGENVLIGHT_EXPORT GBufferPass : public RenderPass
 
     /** Before the graph runs, in two steps: the first needs the node's lock, the second culls with traverse() into the frame's
      * G-buffer stage.
+     * @param sunny    whether there may be shadow maps of suns
      * @param forward  receives what is drawn after the composite */
-    void prepareFrame(FrameContext& context);
+    void prepareFrame(FrameContext& context, bool sunny);
     SurfaceKinds cull(FrameContext& context, const std::function<void()>& traverse, std::vector<ForwardGraph>& forward);
 
   private:
-    osg::StateSet& state(FrameContext& context);
+    osg::StateSet& state(FrameContext& context, bool sunny);
 
     const osg::ref_ptr<SurfaceSorter> _sorter;
     const osg::ref_ptr<Failure> _failure;

@@ -15,6 +15,7 @@ GBufferCallback::GBufferCallback(int width, int height) : _gbuffer(new GBuffer(w
     osg::ref_ptr<osg::StateSet> state = new osg::StateSet;
     GBufferFill::setState(*state, library->program("pass/surface.vert", "pass/gbuffer.frag"),
                           new osg::Viewport(0, 0, width, height));
+    state->setDefine("HAS_SUN_MAPS");  // as some view that reads it may
     _fill = new GBufferFill(state.get(), new SurfaceSorter);
 }
 
