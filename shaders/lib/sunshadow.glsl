@@ -121,6 +121,19 @@ float sunBlocker(sampler2D sunMaps, SunMap m, SunReceiver r, vec2 xy, vec2 slope
     float high = steps > 1 ? reach / across : reach;
     vec4 former = sunSurface(sunMaps, m, xy);
     vec4 surface = former;
+    // Most rays pass everything: until something may be met, all there is to do is to march on.
+    bool passes = true;
+    do {
+        surface = sunSurface(sunMaps, m, xy + slope * high);
+        passes = !sunMayMeet(r, former, low, high) && !sunMayMeet(r, surface, low, high) &&
+                 (!sunAbove(r, former, low) || sunAbove(r, surface, high));
+        if (passes) {
+            former = surface;
+            low = high;
+            high *= growth;
+            --steps;
+        }
+    } while (passes && steps > 0);
     vec4 above = former;  // of the ray's two ends in SUN_PASS: where it is above the surface
     vec4 below = former;
     int mode = SUN_MARCH;
