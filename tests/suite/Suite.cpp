@@ -31,6 +31,14 @@ const char* const figureNames[NUM_FIGURES] = {"relMSE", "tRMSE", "1-SSIM", "D", 
 namespace
 {
 
+std::vector<std::pair<std::string, std::string>> settingsOfAllRows;
+
+void apply(Settings& settings, const std::string& name, const std::string& value)
+{
+    std::string error;
+    if (!settings.set(name, value, error)) throw std::runtime_error(error);
+}
+
 const char* const cacheFolder = ENVLIGHT_BINARY_DIR "/references";
 
 // A layer and its standard error.
@@ -174,6 +182,7 @@ class Measurement
     {
         setCamera(scene, variation.orthographic, _renderer);
         _settings.bounce = Settings::BOUNCE_OFF;
+        for (const auto& [name, value] : settingsOfAllRows) apply(_settings, name, value);
         for (const auto& [name, value] : variation.settings) {
             std::string error;
             if (!_settings.set(name, value, error)) throw std::runtime_error(error);
@@ -341,6 +350,12 @@ std::map<const Row*, Result> results;
 bool hasResult(const Row& row)
 {
     return results.count(&row) > 0;
+}
+
+void setForAllRows(const std::string& name, const std::string& value)
+{
+    apply(*osg::ref_ptr<Settings>(new Settings), name, value);
+    settingsOfAllRows.emplace_back(name, value);
 }
 
 const Result& result(const Row& row)

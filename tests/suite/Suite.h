@@ -72,6 +72,9 @@ struct Result {
     double seconds = 0.0;
 };
 
+/** A setting of all rows that are rendered from now on: what does it cost? Throws std::runtime_error if there is no such one. */
+void setForAllRows(const std::string& name, const std::string& value);
+
 /** Rendered and compared at the first call. */
 const Result& result(const Row& row);
 /** Whether there was one. */
@@ -101,7 +104,7 @@ const int height = 72;
 /** The figures of a file that writeMeasured() wrote, by the row's name. Throws std::runtime_error if it can't be read. */
 std::map<std::string, Figures> readMeasured(const std::string& fileName);
 
-/** The figures of all rows. Lines of rows that are not installed are kept from the file that was there. Throws
+/** The figures of all rows that have a result. Other lines are kept from the file that was there. Throws
  * std::runtime_error if it can't be written.*/
 void writeMeasured(const std::string& fileName);
 

@@ -92,8 +92,8 @@ void writeMeasured(const std::string& fileName)
 {
     std::map<std::string, std::string> lines;
     for (const Row& row : rows()) {
+        if (!hasResult(row) || !result(row).installed) continue;
         const Result& r = result(row);
-        if (!r.installed) continue;
         const double more[] = {r.dissimilarNoise, r.withoutOcclusion, r.withoutBounce, r.halfSamples};
         lines[row.name()] = lineOf(lineOf(row.name(), r.figures), more);
     }
