@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Counts that shaders and C++ share: what C++ fills or reads back is as large as shaders take it to be.
+// Counts that shaders and C++ share: what C++ fills or reads back is as large as shaders take it to be. And marks of pixels.
 #ifndef LIMITS_GLSL
 #define LIMITS_GLSL
 
@@ -10,5 +10,11 @@ const int MOST_SCENE_LIGHTS = 8;  // of OpenGL's fixed function
 const int BOUNCE_BLOCKS = 32;     // along each side of the picture
 const int ERROR_BLOCKS = 32;      // along each side of the picture
 const int PROBE_SIDE = 16;        // points that are read back along each side of the picture
+
+// A pass that draws pixels of a mark draws those of lower ones, too.
+const float MARK_STEP = 0.25;
+const float MARK_GLOSSY = 0.25;   // a surface with a lobe
+const float MARK_SURFACE = 0.5;
+const float MARK_NONE = 1.0;
 
 #endif

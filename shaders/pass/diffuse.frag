@@ -51,7 +51,6 @@ void main()
     sunShaded = vec4(0.0);
 #endif
 #endif
-    if (isBackground(p)) return;
     vec3 n = pixelNormal(p);
     vec3 rho = texelFetch(albedoMap, p, 0).rgb;
     float share = 1.0;  // of the albedo that diffuse light meets

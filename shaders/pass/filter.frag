@@ -16,12 +16,7 @@ layout(location = 1) out vec4 lobeSeen;
 void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
-    occlusion = vec4(1.0);
-#ifdef HAS_LOBES
-    lobeSeen = vec4(1.0);
-#endif
     SumsPlace place = unpackPlace(texelFetch(placeMap, p, 0));
-    if (place.depth >= 1.0) return;
     LightSums sums = filteredSums(p, ivec2(0, 1), place);
     vec4 num = sums.num;
     vec4 den = sums.den;

@@ -10,10 +10,7 @@ layout(location = 1) out uvec4 rowPlace;
 void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
-    rowSums = uvec4(0u);
-    rowPlace = texelFetch(placeMap, p, 0);
-    SumsPlace place = unpackPlace(rowPlace);
-    if (place.depth >= 1.0) return;
+    SumsPlace place = unpackPlace(texelFetch(placeMap, p, 0));
     LightSums sums = filteredSums(p, ivec2(1, 0), place);
     rowSums = packSums(sums);
     rowPlace = packPlace(place, sums.lobe);

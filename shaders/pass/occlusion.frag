@@ -151,11 +151,6 @@ LightSums bentSums(vec4 open, vec3 normal, int group)
 void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
-    sumsTexel = uvec4(0u);
-    float depth = texelFetch(depthMap, p, 0).r;
-    placeTexel = packPlace(SumsPlace(vec3(0.0), depth, 0.0), vec2(0.0));
-    if (depth >= 1.0) return;
-
     Receiver receiver = receiverAt(p);
     int group = bayer4(p.x, p.y);
     vec3 normal = lightsFromEye() * receiver.normal;
@@ -233,5 +228,5 @@ void main()
     } while (i < count);
 #endif
     sumsTexel = packSums(sums);
-    placeTexel = packPlace(SumsPlace(receiver.normal, depth, 1.0), sums.lobe);
+    placeTexel = packPlace(SumsPlace(receiver.normal, texelFetch(depthMap, p, 0).r, 1.0), sums.lobe);
 }

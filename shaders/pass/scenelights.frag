@@ -18,7 +18,6 @@ void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
     added = vec4(0.0);
-    if (isBackground(p)) return;
     vec3 eye = pixelEye(p);
     mat3 eyeFromLocal = frameAround(pixelNormal(p));
     vec3 v = pixelView(p, eyeFromLocal);

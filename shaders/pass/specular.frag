@@ -141,10 +141,8 @@ void main()
 #ifdef HAS_LOBES
     blockedLobe = vec4(0.0);
 #endif
-    if (isBackground(p)) return;
     vec4 f0 = texelFetch(specularMap, p, 0);
     int brdf = pixelBrdf(p);
-    if (brdf == BRDF_LAMBERT) return;
     vec3 n = pixelNormal(p);
     float roughness = texelFetch(normalMap, p, 0).a;
     mat3 eyeFromLocal = frameAround(n);

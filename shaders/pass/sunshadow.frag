@@ -1,6 +1,6 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// What each pixel sees of the suns, first half: by the two points of their discs that are its own in a 4x4 cell. Two suns a
+// What each pixel sees of the suns, first part: by the two points of their discs that are its own in a 4x4 cell. Two suns a
 // target: share of the light, width of the penumbra in pixels.
 #include "pass/sunpixel.glsl"
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The frame graph: a pass of a user's own, which passes are dropped, what their times are.
+#include "base/Limits.h"
 #include "frame/FrameContext.h"
 #include "frame/FrameGraph.h"
 
 #include <SceneRenderer.h>
+
+#include <osgEnvLight/Material>
 
 #include <gtest/gtest.h>
 
@@ -42,6 +45,38 @@ class GlowPass : public osgEnvLight::RenderPass
 
   private:
     osg::ref_ptr<osg::Uniform> _glow;
+};
+
+// Draws 1 into a texture where pixels have a mark, and elsewhere what it is told.
+class MarkedPass : public osgEnvLight::RenderPass
+{
+  public:
+    MarkedPass(float mark, float elsewhere) : _mark(mark), _elsewhere(elsewhere) {}
+
+    const char* name() const override { return "marked"; }
+    Requirement require(const FrameContext&) const override { return {true, "for the test"}; }
+    void setup(PassBuilder& b, FrameContext&) override
+    {
+        b.drawMarked(b.find("pixel marks"), _mark);
+        b.write(b.create("marked texture"), {_elsewhere, _elsewhere, _elsewhere, 1});
+    }
+
+  private:
+    const float _mark;
+    const float _elsewhere;
+};
+
+// Shows that texture.
+class ShowMarkedPass : public osgEnvLight::RenderPass
+{
+  public:
+    const char* name() const override { return "showmarked"; }
+    Requirement require(const FrameContext&) const override { return {true, "for the test"}; }
+    void setup(PassBuilder& b, FrameContext&) override
+    {
+        b.read(b.find("marked texture"), "markedMap");
+        b.addTo(b.find("emission"));
+    }
 };
 
 // Draws into a texture that nobody reads.
@@ -98,6 +133,11 @@ class ShaderFolder
                                                        "void main() { emission = isBackground(ivec2(gl_FragCoord.xy)) ? "
                                                        "vec4(0.0) : vec4(glow, 0.0); }\n";
         std::ofstream(_path / "pass" / "unread.frag") << "#version 330 compatibility\nvoid main() { this does not compile; }\n";
+        std::ofstream(_path / "pass" / "marked.frag")
+            << "#version 330 compatibility\nlayout(location = 0) out vec4 one;\nvoid main() { one = vec4(1.0); }\n";
+        std::ofstream(_path / "pass" / "showmarked.frag")
+            << "#version 330 compatibility\nuniform sampler2D markedMap;\nlayout(location = 0) out vec4 emission;\n"
+               "void main() { emission = texelFetch(markedMap, ivec2(gl_FragCoord.xy), 0); }\n";
         setenv("ENVLIGHT_SHADER_PATH", _path.c_str(), 1);
     }
     ~ShaderFolder()
@@ -146,6 +186,24 @@ TEST_F(FrameGraphTest, HasAPassOfTheUsers)
     EXPECT_EQ("for the test", glowing->plan().reason("glow"));
 }
 
+// Surfaces, those of them with a lobe, and what the others have: emission is shown where there is a surface.
+TEST_F(FrameGraphTest, DrawsMarkedPixels)
+{
+    const auto emitted = [&](bool glossy, float mark, float elsewhere) {
+        osg::ref_ptr<WithPasses> lit = makeScene();
+        lit->getSettings()->view = Settings::EMISSION;
+        if (glossy)
+            osgEnvLight::Material::setPhong(*lit->getOrCreateStateSet(), osg::Vec3f(), osg::Vec3f(0.5f, 0.5f, 0.5f), 20.0f);
+        lit->passes = {new MarkedPass(mark, elsewhere), new ShowMarkedPass};
+        return renderer.render(lit, 2).color(16, 16)[0];
+    };
+    using namespace osgEnvLight::limits;
+    EXPECT_EQ(1.0, emitted(false, MARK_SURFACE, 0.25f));
+    EXPECT_EQ(0.25, emitted(false, MARK_GLOSSY, 0.25f));
+    EXPECT_EQ(1.0, emitted(true, MARK_GLOSSY, 0.25f));
+    EXPECT_EQ(1.0, emitted(true, MARK_SURFACE, 0.25f));
+}
+
 TEST_F(FrameGraphTest, DropsWhatNobodyReads)
 {
     osg::ref_ptr<WithPasses> lit = makeScene();
@@ -187,9 +245,9 @@ TEST_F(FrameGraphTest, TimesAreOfOneFrame)
     EXPECT_TRUE(drawn);
     renderer.render(lit, 6);
     for (const auto& r : lit->plan().passes) {
-        const bool draws = r.pass == "gbuffer" || r.pass == "diffuse" || r.pass == "occlusion" || r.pass == "filterrows" ||
-                           r.pass == "filter" || r.pass == "bounce" || r.pass == "bouncesum" || r.pass == "resolve" ||
-                           r.pass == "composite";
+        const bool draws = r.pass == "gbuffer" || r.pass == "pixelmarks" || r.pass == "diffuse" || r.pass == "occlusion" ||
+                           r.pass == "filterrows" || r.pass == "filter" || r.pass == "bounce" || r.pass == "bouncesum" ||
+                           r.pass == "resolve" || r.pass == "composite";
         EXPECT_EQ(draws, r.cpu > 0.0) << r.pass;
     }
 }
@@ -198,8 +256,9 @@ TEST_F(FrameGraphTest, EveryPassIsInThePlan)
 {
     osg::ref_ptr<WithPasses> lit = makeScene();
     renderer.render(lit, 1);
-    for (const char* pass : {"gbuffer",   "scenelights", "seen",    "atlas",      "stillmaps",  "suns",      "sunmap",
-                             "sunshadow", "sunfilter",   "diffuse", "occlusion",  "filterrows", "filter",    "specular",
-                             "bounce",    "bouncesum",   "resolve", "accumulate", "stillerror", "composite", "forward"})
+    for (const char* pass :
+         {"gbuffer", "pixelmarks", "penumbrae", "scenelights", "seen",       "atlas",      "stillmaps", "suns",
+          "sunmap",  "sunshadow",  "sunfilter", "diffuse",     "occlusion",  "filterrows", "filter",    "specular",
+          "bounce",  "bouncesum",  "resolve",   "accumulate",  "stillerror", "composite",  "forward"})
         EXPECT_NE("", lit->plan().reason(pass)) << pass;
 }

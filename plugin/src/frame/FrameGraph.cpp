@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame/FrameGraph.h"
 
+#include "base/Limits.h"
 #include "frame/FrameContext.h"
 
 #include <osg/BlendFunc>
@@ -22,6 +23,16 @@ const unsigned on = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE | os
 const unsigned off = osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
 const unsigned firstForwardUnit = 8;  // beyond those that fixed-function state reaches
 const int endOfFrame = std::numeric_limits<int>::max() - 1;
+
+// Against the host's depth, or against marks: half a step above the mark passes all that have it or a lower one.
+osg::ref_ptr<osg::Depth> depthTest(const PassInputs& in, bool reversed)
+{
+    if (in.toHost) return new osg::Depth(reversed ? osg::Depth::GEQUAL : osg::Depth::LEQUAL);
+    if (!in.marks.valid()) return new osg::Depth(osg::Depth::ALWAYS, 0, 1, false);
+    if (in.writesMarks) return new osg::Depth(osg::Depth::ALWAYS);
+    const double z = double(in.drawnMark + 0.5f * limits::MARK_STEP);
+    return new osg::Depth(osg::Depth::GREATER, z, z, false);
+}
 
 }  // namespace
 
@@ -101,7 +112,9 @@ void FrameGraph::dropUnread()
     while (!waiting.empty()) {
         const PassInputs& in = _nodes[waiting.back()].inputs;
         waiting.pop_back();
-        std::vector<TextureId> ids = in.targets;
+        std::vector<TextureId> ids;
+        if (in.marks.valid()) ids.push_back(in.marks);
+        for (const PassInputs::Target& t : in.targets) ids.push_back(t.id);
         for (const PassInputs::Sampler& s : in.samplers)
             if (s.id.valid()) ids.push_back(s.id);
         for (const TextureId id : ids) {
@@ -199,7 +212,9 @@ osg::StateSet& FrameGraph::stateOf(const Node& node, FrameContext& c)
     const std::string name = node.pass->name();
     const bool reversed = in.toHost && c.depth.reversed;
     const std::vector<StateSets::Sampler> all = samplers(node);
-    StateSets::Key key{name + (in.adds ? " adds" : "") + (reversed ? " reversed" : ""), in.defines, {}};
+    const bool drawsMarked = in.marks.valid() && !in.writesMarks;
+    const std::string mark = drawsMarked ? " of mark " + std::to_string(in.drawnMark) : "";
+    StateSets::Key key{name + (in.adds ? " adds" : "") + (reversed ? " reversed" : "") + mark, in.defines, {}};
     for (const StateSets::Sampler& s : all) key.objects.push_back(s.texture.get());
     for (const auto& u : in.uniforms) key.objects.push_back(u.get());
     const StateSets::State state = _states.get(key);
@@ -213,8 +228,7 @@ osg::StateSet& FrameGraph::stateOf(const Node& node, FrameContext& c)
     for (GLenum plane = GL_CLIP_PLANE0; plane < GL_CLIP_PLANE0 + 6; ++plane) s.setMode(plane, off);
     if (in.adds) s.setAttributeAndModes(new osg::BlendFunc(GL_ONE, GL_ONE), on);
     s.setAttribute(new osg::PolygonMode, on);
-    const auto test = !in.toHost ? osg::Depth::ALWAYS : reversed ? osg::Depth::GEQUAL : osg::Depth::LEQUAL;
-    s.setAttributeAndModes(new osg::Depth(test, 0, 1, in.toHost), in.toHost ? on : off);
+    s.setAttributeAndModes(depthTest(in, reversed), in.toHost || in.marks.valid() ? on : off);
     for (unsigned unit = 0; unit < all.size(); ++unit) StateSets::bind(s, unit, all[unit]);
     return s;
 }
@@ -232,8 +246,21 @@ void FrameGraph::fill(const Node& node, osg::StateSet& state) const
 std::vector<osg::ref_ptr<osg::Texture2D>> FrameGraph::targetsOf(const Node& node) const
 {
     std::vector<osg::ref_ptr<osg::Texture2D>> targets;
-    for (const TextureId id : node.inputs.targets) targets.push_back(_resources[size_t(id._index)].texture);
+    for (const PassInputs::Target& t : node.inputs.targets) targets.push_back(_resources[size_t(t.id._index)].texture);
     return targets;
+}
+
+// Where only marked pixels are drawn, the others must not show what was drawn into the texture before.
+std::vector<FullScreen::Clear> FrameGraph::clearsOf(const Node& node) const
+{
+    std::vector<FullScreen::Clear> clears;
+    const PassInputs& in = node.inputs;
+    if (!in.marks.valid() || in.writesMarks) return clears;
+    for (size_t i = 0; i < in.targets.size(); ++i) {
+        const bool integers = _resources[size_t(in.targets[i].id._index)].desc.format == GL_RGBA32UI_EXT;
+        if (in.targets[i].cleared) clears.push_back({int(i), in.targets[i].elsewhere, integers});
+    }
+    return clears;
 }
 
 void FrameGraph::draw(const Node& node, FrameContext& c)
@@ -247,14 +274,15 @@ void FrameGraph::draw(const Node& node, FrameContext& c)
         fill(node, *node.inputs.filled);
     else if (node.inputs.toHost)
         drawToHost(node, c);
-    else if (!node.inputs.targets.empty())
+    else if (!node.inputs.targets.empty() || node.inputs.writesMarks)
         drawTriangle(node, c);
 }
 
 void FrameGraph::drawTriangle(const Node& node, FrameContext& c)
 {
     const PassInputs& in = node.inputs;
-    RenderTarget& target = _pool.target(targetsOf(node));
+    RenderTarget& target =
+        _pool.target(targetsOf(node), in.marks.valid() ? _resources[size_t(in.marks._index)].texture : nullptr);
     StageDraw& stage = c.frame.draw(node.pass->name(), [&]() -> osg::ref_ptr<osg::Drawable> {
         if (in.makeTriangle) return in.makeTriangle();
         return new FullScreen(c.frame.triangle.get());
@@ -263,6 +291,7 @@ void FrameGraph::drawTriangle(const Node& node, FrameContext& c)
     c.prepare(triangle, node.pass->name());
     triangle.atlasOrigin = in.shadowOrigin;
     triangle.textureUnits = unsigned(in.samplers.size());
+    triangle.clears = clearsOf(node);
     if (in.prepareTriangle) in.prepareTriangle(triangle);
     std::vector<osg::StateSet*> states = {&stateOf(node, c), target.state.get(), c.frame.uniforms.get()};
     for (const auto& s : in.frameUniforms) states.push_back(s.get());

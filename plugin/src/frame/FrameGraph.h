@@ -68,6 +68,7 @@ class OSGENVLIGHT_EXPORT FrameGraph
     osg::StateSet& stateOf(const Node& node, FrameContext& context);
     void fill(const Node& node, osg::StateSet& state) const;
     std::vector<osg::ref_ptr<osg::Texture2D>> targetsOf(const Node& node) const;
+    std::vector<FullScreen::Clear> clearsOf(const Node& node) const;
 
     std::vector<osg::ref_ptr<RenderPass>> _passes;
     std::vector<Node> _nodes;  // of this frame, in the order of _passes

@@ -5,6 +5,8 @@
 #include <osg/Program>
 #include <osg/Viewport>
 
+#include <cstring>
+
 namespace osgEnvLight
 {
 
@@ -54,6 +56,22 @@ FullScreen::FullScreen(osg::Vec3Array* vertices)
     setFullScreenTriangle(*this, vertices);
 }
 
+// Of OpenGL 3.0, but GLExtensions lacks them; each target has a value of its own, as glClear() can't.
+void FullScreen::clearTargets() const
+{
+    if (clears.empty()) return;
+    void(GL_APIENTRY * clearFloats)(GLenum, GLint, const GLfloat*) = nullptr;
+    void(GL_APIENTRY * clearBits)(GLenum, GLint, const GLuint*) = nullptr;
+    osg::setGLExtensionFuncPtr(clearFloats, "glClearBufferfv");
+    osg::setGLExtensionFuncPtr(clearBits, "glClearBufferuiv");
+    for (const Clear& c : clears) {
+        GLuint bits[4];
+        std::memcpy(bits, c.value.data(), sizeof(bits));
+        if (c.bits && clearBits) clearBits(GL_COLOR, c.target, bits);
+        if (!c.bits && clearFloats) clearFloats(GL_COLOR, c.target, c.value.data());
+    }
+}
+
 void FullScreen::drawImplementation(osg::RenderInfo& renderInfo) const
 {
     osg::State& state = *renderInfo.getState();
@@ -74,6 +92,7 @@ void FullScreen::drawImplementation(osg::RenderInfo& renderInfo) const
     upload.vec2("viewportOrigin", viewport->x(), viewport->y());
     upload.vec2("hostDepth", depth.toHostDepth()[0], depth.toHostDepth()[1]);
     timed.begin(state);
+    clearTargets();
     osg::Geometry::drawImplementation(renderInfo);
     timed.end(state);
     // State knows what is bound by its address alone, and would take a later texture at a freed one's for it.

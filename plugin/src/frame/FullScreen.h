@@ -11,6 +11,9 @@
 #include <osg/Geometry>
 #include <osg/Matrixd>
 
+#include <array>
+#include <vector>
+
 namespace osgEnvLight
 {
 
@@ -34,6 +37,17 @@ class OSGENVLIGHT_EXPORT FullScreen : public osg::Geometry
     TimedDraw timed;
     osg::observer_ptr<ContextWatch::Listener> owner;  // told when the context is lost that this was drawn in; may be null
     unsigned textureUnits = 0;                        // that its state set binds, from 0 on
+
+    /** What is in a target before the triangle. */
+    struct Clear {
+        int target;  // 0, 1, ...
+        std::array<float, 4> value;
+        bool bits;  // of integers
+    };
+    std::vector<Clear> clears;
+
+  private:
+    void clearTargets() const;
 };
 
 }  // namespace osgEnvLight

@@ -49,16 +49,37 @@ void PassBuilder::bind(osg::Texture* texture, const std::string& sampler)
     _inputs.samplers.push_back({sampler, TextureId(), texture});
 }
 
-void PassBuilder::write(TextureId texture)
+void PassBuilder::write(TextureId texture, const std::array<float, 4>& elsewhere)
 {
-    _inputs.targets.push_back(texture);
+    _inputs.targets.push_back({texture, elsewhere, true});
 }
 
 void PassBuilder::addTo(TextureId texture)
 {
-    _graph._resources[size_t(texture._index)].adders.push_back(_pass);
-    _inputs.targets.push_back(texture);
+    drawOver(texture);
     _inputs.adds = true;
+}
+
+void PassBuilder::drawOver(TextureId texture)
+{
+    _graph._resources[size_t(texture._index)].adders.push_back(_pass);
+    _inputs.targets.push_back({texture, {}, false});
+}
+
+void PassBuilder::mark(TextureId marks)
+{
+    _inputs.marks = marks;
+    _inputs.writesMarks = true;
+}
+
+void PassBuilder::drawMarked(TextureId marks, float mark)
+{
+    if (!marks.valid())
+        throw std::runtime_error(std::string(_graph._nodes[size_t(_pass)].pass->name()) +
+                                 " draws marked pixels, which no pass before it marks");
+    _graph._resources[size_t(marks._index)].readers.push_back(_pass);
+    _inputs.marks = marks;
+    _inputs.drawnMark = mark;
 }
 
 void PassBuilder::triangle(const std::function<osg::ref_ptr<FullScreen>()>& make, const std::function<void(FullScreen&)>& prepare)

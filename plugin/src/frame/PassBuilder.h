@@ -9,6 +9,7 @@
 #include <osg/StateSet>
 #include <osg/Texture2D>
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -50,8 +51,16 @@ struct PassInputs {
         TextureId id;                      // a texture of the frame, or
         osg::ref_ptr<osg::Texture> bound;  // one of somebody's own
     };
+    struct Target {
+        TextureId id;
+        std::array<float, 4> elsewhere;  // what pixels have that are not drawn; of integers, the bits
+        bool cleared;                    // to that before
+    };
     std::vector<Sampler> samplers;
-    std::vector<TextureId> targets;
+    std::vector<Target> targets;
+    TextureId marks;  // depth texture of the targets
+    bool writesMarks = false;
+    float drawnMark = 0.0f;  // of the pixels that are drawn, else: those of this mark or a lower one
     std::vector<std::string> defines;
     std::vector<osg::ref_ptr<osg::Uniform>> uniforms;
     std::vector<osg::ref_ptr<osg::StateSet>> frameUniforms;
@@ -84,10 +93,18 @@ class OSGENVLIGHT_EXPORT PassBuilder
     /** Read a texture that is not of the frame. */
     void bind(osg::Texture* texture, const std::string& sampler);
 
-    /** Draw into textures of one size: into outputs 0, 1, ... in the order of the calls. */
-    void write(TextureId texture);
+    /** Draw into textures of one size: into outputs 0, 1, ... in the order of the calls.
+     * @param elsewhere  of pixels that drawMarked() leaves out; of a texture of integers, the bits of these floats */
+    void write(TextureId texture, const std::array<float, 4>& elsewhere = {});
     /** Add to what a pass before this one, or this one in a former frame, has drawn. */
     void addTo(TextureId texture);
+    /** Draw over what a pass before this one has drawn; pixels that drawMarked() leaves out stay. */
+    void drawOver(TextureId texture);
+    /** Mark pixels for the passes after this one, in a depth texture: the shader writes a mark of lib/limits.glsl as
+     * gl_FragDepth, or 1 for none. */
+    void mark(TextureId marks);
+    /** Draw only the pixels that have this mark or a lower one: the depth test drops the others before their shader runs. */
+    void drawMarked(TextureId marks, float mark);
     /** Draw into the host's colour and depth. */
     void writeHost() { _inputs.toHost = true; }
     /** Draw whether or not another pass reads it in this frame. */

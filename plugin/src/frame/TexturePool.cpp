@@ -48,8 +48,11 @@ osg::ref_ptr<osg::Texture2D> TexturePool::kept(const std::string& name, const Si
     return make(size, always, name);
 }
 
-RenderTarget& TexturePool::target(const std::vector<osg::ref_ptr<osg::Texture2D>>& textures)
+RenderTarget& TexturePool::target(const std::vector<osg::ref_ptr<osg::Texture2D>>& colors,
+                                  const osg::ref_ptr<osg::Texture2D>& marks)
 {
+    std::vector<osg::ref_ptr<osg::Texture2D>> textures = colors;
+    if (marks) textures.push_back(marks);
     std::vector<osg::Texture2D*> key;
     for (const auto& t : textures) key.push_back(t.get());
     Used& used = _targets[key];
@@ -59,9 +62,10 @@ RenderTarget& TexturePool::target(const std::vector<osg::ref_ptr<osg::Texture2D>
     RenderTarget& target = *used.target;
     target.textures = textures;
     target.frameBuffer = new osg::FrameBufferObject;
-    for (size_t i = 0; i < textures.size(); ++i)
+    for (size_t i = 0; i < colors.size(); ++i)
         target.frameBuffer->setAttachment(osg::Camera::BufferComponent(osg::Camera::COLOR_BUFFER0 + int(i)),
-                                          osg::FrameBufferAttachment(textures[i].get()));
+                                          osg::FrameBufferAttachment(colors[i].get()));
+    if (marks) target.frameBuffer->setAttachment(osg::Camera::DEPTH_BUFFER, osg::FrameBufferAttachment(marks.get()));
     target.viewport = new osg::Viewport(0, 0, textures[0]->getTextureWidth(), textures[0]->getTextureHeight());
     target.state = new osg::StateSet;
     target.state->setAttribute(target.viewport.get());

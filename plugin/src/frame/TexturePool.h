@@ -45,7 +45,8 @@ class OSGENVLIGHT_EXPORT TexturePool
     osg::ref_ptr<osg::Texture2D> transient(const Size& size, int first, int last);
     /** The one of that name, as it was left by the frame before. */
     osg::ref_ptr<osg::Texture2D> kept(const std::string& name, const Size& size);
-    RenderTarget& target(const std::vector<osg::ref_ptr<osg::Texture2D>>& textures);
+    /** @param marks  depth texture of the same size, or null */
+    RenderTarget& target(const std::vector<osg::ref_ptr<osg::Texture2D>>& colors, const osg::ref_ptr<osg::Texture2D>& marks);
     void endFrame();
 
     /** Give up everything. */

@@ -25,6 +25,8 @@ size_t texelBytes(GLint format)
         case GL_RGBA8:
         case GL_DEPTH_COMPONENT24:
             return 4;
+        case GL_DEPTH_COMPONENT16:
+            return 2;
         default:
             return 8;
     }

@@ -9,7 +9,7 @@ osg::ref_ptr<osg::Texture2D> targetTexture(int width, int height, GLint internal
     osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D;
     texture->setTextureSize(width, height);
     texture->setInternalFormat(internalFormat);
-    const bool depth = internalFormat == GL_DEPTH_COMPONENT24;
+    const bool depth = internalFormat == GL_DEPTH_COMPONENT24 || internalFormat == GL_DEPTH_COMPONENT16;
     const bool whole = internalFormat == GL_RGBA32UI_EXT;
     texture->setSourceFormat(depth ? GL_DEPTH_COMPONENT : whole ? GL_RGBA_INTEGER_EXT : GL_RGBA);
     texture->setSourceType(depth || whole ? GL_UNSIGNED_INT : GL_FLOAT);

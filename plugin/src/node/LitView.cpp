@@ -4,6 +4,7 @@
 #include "passes/Lighting.h"
 #include "passes/Occlusion.h"
 #include "passes/Output.h"
+#include "passes/PixelMarks.h"
 #include "passes/SkyShadows.h"
 #include "passes/StillView.h"
 #include "passes/SunPasses.h"
@@ -15,6 +16,7 @@ LitView::LitView(Failure* failure, RetiredObjects* retired, SurfaceSorter* sorte
     : ViewData(failure, retired), gbufferPass(new GBufferPass(sorter, failure))
 {
     graph.add(gbufferPass);
+    graph.add(new PixelMarksPass);
     graph.add(new SceneLightsPass);
     graph.add(new DepthProbePass);
     graph.add(new SkyShadows(failure, retired));
@@ -22,6 +24,7 @@ LitView::LitView(Failure* failure, RetiredObjects* retired, SurfaceSorter* sorte
     graph.add(new Suns);
     graph.add(new SunMaps(failure, retired));
     graph.add(new SunShadowPass);
+    graph.add(new PenumbraPass);
     graph.add(new SunFilterPass);
     graph.add(new DiffusePass);
     graph.add(new OcclusionPass);

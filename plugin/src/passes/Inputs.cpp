@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "passes/Inputs.h"
 
+#include "base/Limits.h"
+
 namespace osgEnvLight
 {
+
+void drawSurfaces(PassBuilder& b)
+{
+    b.drawMarked(b.find("pixel marks"), limits::MARK_SURFACE);
+}
 
 void readLobes(PassBuilder& b, const FrameContext& c)
 {

@@ -11,13 +11,18 @@ namespace osgEnvLight
 
 // What several passes read alike. The textures of a frame:
 //   albedo, normal, specular properties, depth, emission   the G-buffer
+//   pixel marks                         where there is a surface, where one with a lobe
 //   diffuse, sun diffuse, sun shaded    D of the map and of the suns, and what the scene leaves of the latter
 //   specular, blocked lobe              S, and the part of the lobe's albedo that surfaces take from the map
-//   seen light, all light, seen lobe    sums over a group of lights
+//   light sums, light places            sums over a group of lights, where they are from
+//   row sums, row places                the same, filtered along rows
 //   occlusion, lobe visibility          their filtered ratios
-//   sun points 0 .. 3, sun visibility 0 and 1
+//   sun points 0 .. 3                   what a pixel's own points see of the suns
+//   sun visibility 0 and 1, penumbrae   how much a pixel sees of them, and the marks of those that must look closer
 //   bounce                              sums of the radiance of what blocks light
 
+/** Draw the pixels that show a surface. */
+void drawSurfaces(PassBuilder& builder);
 /** HAS_PHONG, HAS_COOK_TORRANCE: the BRDFs that are in view. */
 void readLobes(PassBuilder& builder, const FrameContext& context);
 /** The uniforms of pass/suns.glsl. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "passes/Lighting.h"
 
+#include "base/Limits.h"
 #include "passes/Inputs.h"
 
 namespace osgEnvLight
@@ -23,6 +24,7 @@ void SceneLightsPass::setup(PassBuilder& b, FrameContext& c)
 {
     b.readGBuffer();
     readLobes(b, c);
+    drawSurfaces(b);
     b.frameUniforms(&c.frame.sceneLightState());
     b.addTo(b.find("emission"));
 }
@@ -44,6 +46,7 @@ void DiffusePass::setup(PassBuilder& b, FrameContext& c)
         b.uniform(c.textures.harmonics());
     }
     readLobes(b, c);
+    drawSurfaces(b);
     b.write(b.create("diffuse"));
     if (!c.decisions.sunDiffuse) return;
     b.define("HAS_SUNS");
@@ -72,6 +75,7 @@ void SpecularPass::setup(PassBuilder& b, FrameContext& c)
         readSuns(b, c);
     }
     readSunVisibility(b);
+    b.drawMarked(b.find("pixel marks"), limits::MARK_GLOSSY);
     b.write(b.create("specular", {GL_RGBA32F_ARB}));  // a mirrored sun exceeds half floats in units of the map's mean
     if (!b.read("lobe visibility", "lobeSeenMap")) return;
     c.remark(", occluded by what the atlas knows");

@@ -26,6 +26,10 @@ bool occludesLobes(const FrameContext& c)
 }
 
 const TextureDesc packed = {GL_RGBA32UI_EXT};  // as in pass/lightsums.glsl
+using Texel = std::array<float, 4>;
+const Texel noSums = {0, 0, 0, 0};
+const Texel noPlace = {0, 0, 1, 0};  // the depth of the background
+const Texel allSeen = {1, 1, 1, 1};
 
 // What a still view's later frames read again of its first.
 TextureDesc ofFirstFrame(const FrameContext& c, GLint format, int side = 0)
@@ -54,8 +58,9 @@ void OcclusionPass::setup(PassBuilder& b, FrameContext& c)
                                           "OCCLUSION_BENT_NORMAL"};
     if (c.decisions.screen) b.define(methods[c.decisions.atlas.needed ? Settings::SLICE : c.settings.occlusionMethod]);
     b.define("HAS_LOBES", occludesLobes(c));
-    b.write(b.create("light sums", packed));
-    b.write(b.create("light places", packed));
+    drawSurfaces(b);
+    b.write(b.create("light sums", packed), noSums);
+    b.write(b.create("light places", packed), noPlace);
 }
 
 Requirement FilterRowsPass::require(const FrameContext& c) const
@@ -69,8 +74,9 @@ void FilterRowsPass::setup(PassBuilder& b, FrameContext&)
     b.readGBuffer();
     b.read(b.find("light sums"), "sumsMap");
     b.read(b.find("light places"), "placeMap");
-    b.write(b.create("row sums", packed));
-    b.write(b.create("row places", packed));
+    drawSurfaces(b);
+    b.write(b.create("row sums", packed), noSums);
+    b.write(b.create("row places", packed), noPlace);
 }
 
 Requirement FilterPass::require(const FrameContext& c) const
@@ -85,10 +91,11 @@ void FilterPass::setup(PassBuilder& b, FrameContext& c)
     b.define("COMBINE_SUBTRACT", c.settings.combine == Settings::SUBTRACT);
     b.read(b.find("row sums"), "sumsMap");
     b.read(b.find("row places"), "placeMap");
-    b.write(b.create("occlusion", ofFirstFrame(c, GL_RGBA16F_ARB)));
+    drawSurfaces(b);
+    b.write(b.create("occlusion", ofFirstFrame(c, GL_RGBA16F_ARB)), allSeen);
     if (occludesLobes(c)) {
         b.define("HAS_LOBES");
-        b.write(b.create("lobe visibility", ofFirstFrame(c, GL_RGBA16F_ARB)));
+        b.write(b.create("lobe visibility", ofFirstFrame(c, GL_RGBA16F_ARB)), allSeen);
     }
     if (c.still && c.still->frames() > 0) b.keepContents();
 }

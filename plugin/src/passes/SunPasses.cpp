@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "passes/SunPasses.h"
 
+#include "base/Limits.h"
 #include "gl/BindTargets.h"
 #include "passes/Inputs.h"
 #include "shadow/VisibleBoxes.h"
@@ -24,6 +25,21 @@ Requirement requireShadows(const FrameContext& c)
 std::string numbered(const char* name, unsigned i)
 {
     return name + std::to_string(i);
+}
+
+// Two suns share a texture.
+unsigned pairs(const FrameContext& c)
+{
+    return (c.facts.suns.count + 1) / 2;
+}
+
+// What pass/sunpoints.glsl reads.
+void readSunPoints(PassBuilder& b, const FrameContext& c)
+{
+    for (unsigned i = 0; i < pairs(c); ++i) {
+        b.read(b.find(numbered("sun points ", i)), numbered("sunSeenMap", i));
+        if (i > 0) b.define(numbered("SUNS_OVER_", 2 * i));
+    }
 }
 
 }  // namespace
@@ -98,7 +114,7 @@ void SunMaps::releaseGLObjects(osg::State* state) const
 
 Requirement SunShadowPass::require(const FrameContext& c) const
 {
-    return requireShadows(c).because("2 points of each disc a pixel, 16 more in penumbrae");
+    return requireShadows(c).because("2 points of each disc a pixel");
 }
 
 void SunShadowPass::setup(PassBuilder& b, FrameContext& c)
@@ -108,12 +124,28 @@ void SunShadowPass::setup(PassBuilder& b, FrameContext& c)
     readSunMaps(b, c);
     b.read("emission", "emissionMap");
     readSuns(b, c);
-    for (unsigned i = 0; i < (c.facts.suns.count + 1) / 2; ++i) b.write(b.create(numbered("sun points ", i)));
+    drawSurfaces(b);
+    for (unsigned i = 0; i < pairs(c); ++i) b.write(b.create(numbered("sun points ", i)), {1, 0, 1, 0});
+}
+
+Requirement PenumbraPass::require(const FrameContext& c) const
+{
+    return requireShadows(c).because("where neighbours see suns unlike each other");
+}
+
+void PenumbraPass::setup(PassBuilder& b, FrameContext& c)
+{
+    if (!c.needsSunMaps()) return;
+    b.readGBuffer();
+    readSunPoints(b, c);
+    readSuns(b, c);
+    b.mark(b.create("penumbrae", {GL_DEPTH_COMPONENT16}));
+    for (unsigned i = 0; i < (c.facts.suns.count + 3) / 4; ++i) b.write(b.create(numbered("sun visibility ", i)));
 }
 
 Requirement SunFilterPass::require(const FrameContext& c) const
 {
-    return requireShadows(c).because("averages within penumbrae");
+    return requireShadows(c).because("16 points of each disc a pixel in penumbrae");
 }
 
 void SunFilterPass::setup(PassBuilder& b, FrameContext& c)
@@ -122,13 +154,10 @@ void SunFilterPass::setup(PassBuilder& b, FrameContext& c)
     b.readGBuffer();
     readSunMaps(b, c);
     b.read("emission", "emissionMap");
-    const unsigned pairs = (c.facts.suns.count + 1) / 2;
-    for (unsigned i = 0; i < pairs; ++i) {
-        b.read(b.find(numbered("sun points ", i)), numbered("sunSeenMap", i));
-        if (i > 0) b.define(numbered("SUNS_OVER_", 2 * i));
-    }
+    readSunPoints(b, c);
     readSuns(b, c);
-    for (unsigned i = 0; i < (c.facts.suns.count + 3) / 4; ++i) b.write(b.create(numbered("sun visibility ", i)));
+    b.drawMarked(b.find("penumbrae"), limits::MARK_SURFACE);
+    for (unsigned i = 0; i < (c.facts.suns.count + 3) / 4; ++i) b.drawOver(b.find(numbered("sun visibility ", i)));
 }
 
 }  // namespace osgEnvLight

@@ -54,7 +54,16 @@ class OSGENVLIGHT_EXPORT SunShadowPass : public RenderPass
     void setup(PassBuilder& builder, FrameContext& context) override;
 };
 
-/** The same with more points, and its neighbours', within penumbrae. */
+/** The same where neighbours agree; the pixels where they don't, marked. */
+class OSGENVLIGHT_EXPORT PenumbraPass : public RenderPass
+{
+  public:
+    const char* name() const override { return "penumbrae"; }
+    Requirement require(const FrameContext& context) const override;
+    void setup(PassBuilder& builder, FrameContext& context) override;
+};
+
+/** What the marked pixels see: more points of their own, and their neighbours'. */
 class OSGENVLIGHT_EXPORT SunFilterPass : public RenderPass
 {
   public:

@@ -1,0 +1,17 @@
+#version 330 compatibility
+// SPDX-License-Identifier: MIT
+// Marks for the depth test of the passes after this one: does a pixel show a surface, has that a lobe?
+#pragma import_defines(HAS_LOBES)
+
+#include "lib/limits.glsl"
+#include "pass/gbuffer.glsl"
+
+void main()
+{
+    ivec2 p = ivec2(gl_FragCoord.xy);
+    float mark = MARK_SURFACE;
+#ifdef HAS_LOBES
+    if (pixelBrdf(p) != BRDF_LAMBERT) mark = MARK_GLOSSY;
+#endif
+    gl_FragDepth = isBackground(p) ? MARK_NONE : mark;
+}
