@@ -6,13 +6,17 @@
 
 #include "lib/constants.glsl"
 
-// Density of normals per solid angle; integral of D cos = 1. 1 - h.z^2 is written h.x^2 + h.y^2, which keeps its
-// digits for small alpha.
+// The sum in D's denominator. 1 - h.z^2 is written h.x^2 + h.y^2, which keeps its digits for small alpha.
+float ggxSpread(vec3 h, float alpha)
+{
+    return h.x * h.x + h.y * h.y + alpha * alpha * h.z * h.z;
+}
+
+// Density of normals per solid angle; integral of D cos = 1.
 float ggxD(vec3 h, float alpha)
 {
-    float a2 = alpha * alpha;
-    float d = h.x * h.x + h.y * h.y + a2 * h.z * h.z;
-    return a2 / (PI * d * d);
+    float d = ggxSpread(h, alpha);
+    return alpha * alpha / (PI * d * d);
 }
 
 // sqrt(cos^2 + alpha^2 sin^2): the root that G1, G2 and the pdf share.
@@ -21,12 +25,16 @@ float ggxRoot(float cosTheta, float alpha)
     return sqrt(cosTheta * cosTheta * (1.0 - alpha * alpha) + alpha * alpha);
 }
 
-// Share of the visible normals' reflections that is not shadowed on the way out, G2/G1(v) [Heitz 2014, eq. 99].
+// Share of the visible normals' reflections that is not shadowed on the way out, G2/G1(v) [Heitz 2014, eq. 99], by the roots
+// of both.
+float ggxUnshadowed(float cosV, float rootV, float cosL, float rootL)
+{
+    return cosL * (cosV + rootV) / (cosL * rootV + cosV * rootL);
+}
+
 float ggxG2OverG1(float cosV, float cosL, float alpha)
 {
-    float rootV = ggxRoot(cosV, alpha);
-    float rootL = ggxRoot(cosL, alpha);
-    return cosL * (cosV + rootV) / (cosL * rootV + cosV * rootL);
+    return ggxUnshadowed(cosV, ggxRoot(cosV, alpha), cosL, ggxRoot(cosL, alpha));
 }
 
 // Visibility G2 / (4 cosV cosL), never dividing by the cosines.
@@ -42,16 +50,38 @@ float ggxBrdf(vec3 v, vec3 l, float alpha)
     return ggxD(normalize(v + l), alpha) * ggxVisibility(v.z, l.z, alpha);
 }
 
-// A normal visible from v, for u in [0,1)^2, by the spherical cap [Dupuy, Benyoub 2023].
+// What the normals visible from a direction share: the spherical cap that they are stretched from [Dupuy, Benyoub 2023].
+struct GgxCap {
+    float alpha;
+    vec3 axis;
+    float rest;  // 1 - axis.z
+};
+
+GgxCap ggxCap(vec3 v, float alpha)
+{
+    GgxCap cap;
+    cap.alpha = alpha;
+    cap.axis = normalize(vec3(alpha * v.x, alpha * v.y, v.z));
+    cap.rest = (cap.axis.x * cap.axis.x + cap.axis.y * cap.axis.y) / (1.0 + cap.axis.z);
+    return cap;
+}
+
+// A visible normal by cosine and sine of its azimuth in the cap, and its height there, u in [0,1).
+vec3 ggxCapNormal(GgxCap cap, vec2 azimuth, float u)
+{
+    vec3 w = cap.axis;
+    // The cap's point has height c = z - w.z: 1 - c and 1 + c are written without differences, which would lose the
+    // float's digits for u near 0 and 1.
+    float z = (1.0 - u) * (1.0 + w.z);
+    float s = sqrt(u * (1.0 + w.z) * (z + cap.rest));
+    return normalize(vec3(cap.alpha * (s * azimuth.x + w.x), cap.alpha * (s * azimuth.y + w.y), max(z, 1e-7)));
+}
+
+// A normal visible from v, for u in [0,1)^2.
 vec3 ggxVisibleNormalSample(vec3 v, float alpha, vec2 u)
 {
-    vec3 w = normalize(vec3(alpha * v.x, alpha * v.y, v.z));
     float phi = TWO_PI * u.x;
-    // The cap's point has height c = z - w.z: 1 - c and 1 + c are written without differences, which would lose the
-    // float's digits for u.y near 0 and 1.
-    float z = (1.0 - u.y) * (1.0 + w.z);
-    float s = sqrt(u.y * (1.0 + w.z) * (z + (w.x * w.x + w.y * w.y) / (1.0 + w.z)));
-    return normalize(vec3(alpha * (s * cos(phi) + w.x), alpha * (s * sin(phi) + w.y), max(z, 1e-7)));
+    return ggxCapNormal(ggxCap(v, alpha), vec2(cos(phi), sin(phi)), u.y);
 }
 
 // Density per solid angle of the direction l that reflects v at a sampled visible normal h: D G1 / (4 v.z).

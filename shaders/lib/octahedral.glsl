@@ -48,20 +48,29 @@ float pyramidLevelSide(float baseSide, float level)
     return baseSide * exp2(-level);
 }
 
-// Corner of a level's bordered square in the atlas, in texels: level 0 at the left, the others stacked right of it.
-// The sum of their sides (s + 2 each) is S (1 - 2^(1-level)) + 2 (level - 1).
-vec2 pyramidLevelCorner(float baseSide, float level)
+// Corner of a level's bordered square in the atlas, in texels, by the level and its side: level 0 at the left, the others stacked
+// right of it. The sum of their sides (s + 2 each) is S (1 - 2^(1-level)) + 2 (level - 1).
+vec2 pyramidCorner(float baseSide, float side, float level)
 {
     if (level < 0.5) return vec2(0.0);
-    return vec2(baseSide + 2.0, baseSide * (1.0 - exp2(1.0 - level)) + 2.0 * (level - 1.0));
+    return vec2(baseSide + 2.0, baseSide - 2.0 * side + 2.0 * (level - 1.0));
 }
 
-// One level of the pyramid in direction d, bilinear.
+vec2 pyramidLevelCorner(float baseSide, float level)
+{
+    return pyramidCorner(baseSide, pyramidLevelSide(baseSide, level), level);
+}
+
+// One level of the pyramid at square coordinates st, bilinear.
+vec3 pyramidTexel(sampler2D atlas, vec2 corner, float side, vec2 st)
+{
+    return vec3(textureLod(atlas, (corner + 1.0 + st * side) / vec2(textureSize(atlas, 0)), 0.0));
+}
+
+// The same in direction d.
 vec3 pyramidLevel(sampler2D atlas, float baseSide, vec3 d, float level)
 {
-    vec2 texel = pyramidLevelCorner(baseSide, level) + 1.0 +
-                 octahedralFromDirection(d) * pyramidLevelSide(baseSide, level);
-    return vec3(textureLod(atlas, texel / vec2(textureSize(atlas, 0)), 0.0));
+    return pyramidTexel(atlas, pyramidLevelCorner(baseSide, level), pyramidLevelSide(baseSide, level), octahedralFromDirection(d));
 }
 
 // The pyramid in direction d at a real lod, trilinear, between level 0 and lastLevel.
@@ -69,9 +78,12 @@ vec3 pyramidLookup(sampler2D atlas, float baseSide, float lastLevel, vec3 d, flo
 {
     float l = clamp(lod, 0.0, lastLevel);
     float l0 = min(floor(l), max(lastLevel - 1.0, 0.0));
-    vec3 a = pyramidLevel(atlas, baseSide, d, l0);
+    float side = pyramidLevelSide(baseSide, l0);
+    vec2 st = octahedralFromDirection(d);
+    vec3 a = pyramidTexel(atlas, pyramidCorner(baseSide, side, l0), side, st);
     if (lastLevel < 0.5) return a;
-    return mix(a, pyramidLevel(atlas, baseSide, d, l0 + 1.0), l - l0);
+    float next = 0.5 * side;
+    return mix(a, pyramidTexel(atlas, pyramidCorner(baseSide, next, l0 + 1.0), next, st), l - l0);
 }
 
 #endif

@@ -24,16 +24,28 @@ float phongBrdf(vec3 r, vec3 l, float exponent)
     return (exponent + 2.0) / TWO_PI * phongPower(r, l, exponent);
 }
 
-// Direction about (0,0,1), the mirror direction, for u in [0,1)^2.
-vec3 phongSample(float exponent, vec2 u)
+// Direction about (0,0,1), the mirror direction, by cosine and sine of its azimuth; the logarithm is of a number in (0,1].
+vec3 phongDirection(float exponent, vec2 azimuth, float logU)
 {
-    float logU = log(max(1.0 - u.y, 1e-30));
     float cosTheta = exp(logU / (exponent + 1.0));
     // 1 - cos^2 = -expm1(2 logU / (n+1)): by series where the cosine rounds to 1
     float x = 2.0 * logU / (exponent + 1.0);
     float sin2 = x > -0.01 ? -x * (1.0 + x * (0.5 + x * 0.16666666667)) : 1.0 - cosTheta * cosTheta;
     float sinTheta = sqrt(max(sin2, 0.0));
-    return vec3(sinTheta * cos(TWO_PI * u.x), sinTheta * sin(TWO_PI * u.x), cosTheta);
+    return vec3(sinTheta * azimuth, cosTheta);
+}
+
+// The same for u in [0,1)^2.
+vec3 phongSample(float exponent, vec2 u)
+{
+    float phi = TWO_PI * u.x;
+    return phongDirection(exponent, vec2(cos(phi), sin(phi)), log(max(1.0 - u.y, 1e-30)));
+}
+
+// The logarithm of the density of phongDirection() per solid angle.
+float phongLogPdf(float exponent, float logU)
+{
+    return log((exponent + 1.0) / TWO_PI) + exponent / (exponent + 1.0) * logU;
 }
 
 // Density of phongSample per solid angle, l about the mirror direction r.

@@ -60,15 +60,36 @@ vec3 mirror(vec3 d)
     return textureLod(latlongMap, latlongFromDirection(d), 0.0).rgb;
 }
 
-vec2 samplePoint(int i)
+vec2 unitVector(float angle)
 {
-    return fract(hammersley(uint(i), uint(specularSamples)) + sampleShift);
+    return vec2(cos(angle), sin(angle));
 }
 
-// Radiance about d, averaged over the solid angle that one of the samples of density pdf stands for.
-vec3 filtered(vec3 d, float pdf)
+// The azimuth of the next sample from that of the one before, both as unit vectors: they follow each other by equal angles.
+vec2 nextAzimuth(vec2 azimuth, vec2 turn)
 {
-    float lod = 0.5 * log2(pyramidSide * pyramidSide / (4.0 * PI * float(specularSamples) * sampleFrames * max(pdf, 1e-6)));
+    return vec2(azimuth.x * turn.x - azimuth.y * turn.y, azimuth.x * turn.y + azimuth.y * turn.x);
+}
+
+vec2 firstAzimuth()
+{
+    return unitVector(TWO_PI * (0.5 / float(specularSamples) + sampleShift.x));
+}
+
+// The other number of sample i, in [0,1).
+float sampleHeight(int i)
+{
+    return fract(hammersley(uint(i), uint(specularSamples)).y + sampleShift.y);
+}
+
+// The level of the pyramid whose texels are as wide as one of the samples at density 1; half the density's log2 finer is right.
+float lodOfUnitDensity()
+{
+    return log2(pyramidSide) - 0.5 * log2(4.0 * PI * float(specularSamples) * sampleFrames);
+}
+
+vec3 filtered(vec3 d, float lod)
+{
     return pyramidLookup(pyramidMap, pyramidSide, pyramidLastLevel, d, lod);
 }
 
@@ -84,15 +105,21 @@ vec3 cookTorrance(vec3 v, mat3 mapFromLocal, vec3 f0, float roughness)
     blockedLobe = vec4((1.0 - lobeSeen()) * energy * (f0 * table.x + table.y), 0.0);
 #endif
     if (alpha < MIRROR_ALPHA) return shownLobe() * fresnelSchlick(f0, v.z) * mirror(mapFromLocal * vec3(-v.x, -v.y, v.z));
+    GgxCap cap = ggxCap(v, alpha);
+    float rootV = ggxRoot(v.z, alpha);
+    // ggxReflectionPdf() is a factor over the square of ggxSpread().
+    float firstLod = lodOfUnitDensity() - 0.5 * log2(0.5 * alpha * alpha / (PI * (v.z + rootV)));
+    vec2 azimuth = firstAzimuth();
+    vec2 turn = unitVector(TWO_PI / float(specularSamples));
     vec3 num = vec3(0.0);
     float den = 0.0;
     for (int i = 0; i < specularSamples; ++i) {
-        vec3 h = ggxVisibleNormalSample(v, alpha, samplePoint(i));
+        vec3 h = ggxCapNormal(cap, azimuth, sampleHeight(i));
+        azimuth = nextAzimuth(azimuth, turn);
         float c = dot(v, h);
         vec3 l = 2.0 * c * h - v;
-        if (l.z <= 0.0) continue;
-        float w = ggxG2OverG1(v.z, l.z, alpha);
-        num += w * fresnelSchlick(f0, c) * filtered(mapFromLocal * l, ggxReflectionPdf(v, h, alpha));
+        float w = l.z > 0.0 ? ggxUnshadowed(v.z, rootV, l.z, ggxRoot(l.z, alpha)) : 0.0;
+        num += w * fresnelSchlick(f0, c) * filtered(mapFromLocal * l, firstLod + log2(ggxSpread(h, alpha)));
         den += w;
     }
     vec3 sum = den > 0.0 ? num / den * (single * shownLobe()) : vec3(0.0);
@@ -117,10 +144,15 @@ vec3 phong(vec3 v, mat3 mapFromLocal, vec3 ks, float roughness)
     blockedLobe = vec4((1.0 - lobeSeen()) * ks, 0.0);
 #endif
     if (roughness * roughness < MIRROR_ALPHA) return shownLobe() * ks * scale * v.z * mirror(mapFromLocal * r);
+    vec2 azimuth = firstAzimuth();
+    vec2 turn = unitVector(TWO_PI / float(specularSamples));
     vec3 sum = vec3(0.0);
     for (int i = 0; i < specularSamples; ++i) {
-        vec3 l = lobe * phongSample(n, samplePoint(i));
-        if (l.z > 0.0) sum += l.z * filtered(mapFromLocal * l, phongPdf(r, l, n));
+        float logU = log(max(1.0 - sampleHeight(i), 1e-30));
+        vec3 l = lobe * phongDirection(n, azimuth, logU);
+        azimuth = nextAzimuth(azimuth, turn);
+        float lod = lodOfUnitDensity() - 0.5 * phongLogPdf(n, logU) / log(2.0);
+        sum += max(l.z, 0.0) * filtered(mapFromLocal * l, lod);
     }
     sum *= shownLobe() * scale / float(specularSamples);
 #ifdef HAS_SUNS

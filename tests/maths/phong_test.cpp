@@ -123,6 +123,16 @@ TEST(phong, SampleInvertsTheDistribution)
             EXPECT_NEAR(1.0 - std::pow(glsl::phongSample(n, vec2(0.3, y)).z, n + 1.0), y, 1e-9);
 }
 
+TEST(phong, LogPdfIsThatOfTheDirection)
+{
+    for (double n : {0.0, 3.0, 100.0, 1e4, 1e6})
+        for (double y : {0.0, 0.1, 0.5, 0.9, 0.999}) {
+            const double logU = std::log(1.0 - y);
+            const vec3 l = glsl::phongDirection(n, glsl::vec2(0.6, 0.8), logU);
+            EXPECT_NEAR(std::exp(glsl::phongLogPdf(n, logU)) / glsl::phongPdf(up, l, n), 1.0, 1e-9) << n << " " << y;
+        }
+}
+
 TEST(phong, CornersAreFinite)
 {
     for (double n : {0.0, 1e-9, 1.0, 1e9, 1e30})
