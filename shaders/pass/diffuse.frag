@@ -68,9 +68,10 @@ void main()
     vec3 mapNormal = mapFromEye * n;
     diffuse = vec4(rho * irradianceOverPi(mapNormal), share);
 #ifdef HAS_SUNS
-    sunDiffuse = vec4(rho * sunIrradianceOverPi(mapNormal), 1.0);
+    SunIrradiance suns = sunIrradianceOverPi(mapNormal);
+    sunDiffuse = vec4(rho * suns.whole, 1.0);
 #ifdef HAS_SUN_SHADOWS
-    sunShaded = vec4(rho * sunIrradianceSeenOverPi(mapNormal), 1.0);
+    sunShaded = vec4(rho * suns.seen, 1.0);
 #endif
 #endif
 }

@@ -12,14 +12,6 @@ uniform vec3 sunDirection[MOST_SUNS];
 uniform vec3 sunRadiance[MOST_SUNS];
 uniform float sunRadius[MOST_SUNS];
 
-// About the normal n, in the map's frame.
-vec3 sunIrradianceOverPi(vec3 n)
-{
-    vec3 sum = vec3(0.0);
-    for (int i = 0; i < sunCount; ++i) sum += sunRadiance[i] * discIrradianceOverPi(dot(n, sunDirection[i]), sunRadius[i]);
-    return sum;
-}
-
 #ifdef HAS_SUN_SHADOWS
 uniform sampler2D sunVisibilityMap0;
 uniform sampler2D sunVisibilityMap1;
@@ -30,20 +22,29 @@ float sunVisibility(int i)
     ivec2 p = ivec2(gl_FragCoord.xy);
     return i < 4 ? texelFetch(sunVisibilityMap0, p, 0)[i] : texelFetch(sunVisibilityMap1, p, 0)[i - 4];
 }
-
-// The irradiance that is left of the suns.
-vec3 sunIrradianceSeenOverPi(vec3 n)
-{
-    vec3 sum = vec3(0.0);
-    for (int i = 0; i < sunCount; ++i)
-        sum += sunVisibility(i) * sunRadiance[i] * discIrradianceOverPi(dot(n, sunDirection[i]), sunRadius[i]);
-    return sum;
-}
 #else
 float sunVisibility(int i)
 {
     return 1.0;
 }
 #endif
+
+// Over pi, of all suns.
+struct SunIrradiance {
+    vec3 whole;
+    vec3 seen;  // what the scene leaves of it
+};
+
+// About the normal n, in the map's frame.
+SunIrradiance sunIrradianceOverPi(vec3 n)
+{
+    SunIrradiance sum = SunIrradiance(vec3(0.0), vec3(0.0));
+    for (int i = 0; i < sunCount; ++i) {
+        vec3 e = sunRadiance[i] * discIrradianceOverPi(dot(n, sunDirection[i]), sunRadius[i]);
+        sum.whole += e;
+        sum.seen += sunVisibility(i) * e;
+    }
+    return sum;
+}
 
 #endif
