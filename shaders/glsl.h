@@ -38,6 +38,7 @@ using glm::exp;
 using glm::exp2;
 using glm::floor;
 using glm::fract;
+using glm::inversesqrt;
 using glm::length;
 using glm::log;
 using glm::log2;

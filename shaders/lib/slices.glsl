@@ -8,6 +8,11 @@
 #include "lib/constants.glsl"
 #include "lib/depth.glsl"
 
+// Slices that a pixel has at most; a pass that knows how many it has defines them before it includes this.
+#ifndef MOST_SLICES
+#define MOST_SLICES 4
+#endif
+
 // What the slices need to know of the view, and how far they look.
 struct SliceView {
     mat4 projection;
@@ -15,7 +20,7 @@ struct SliceView {
     vec2 size;        // viewport, pixels
     float radius;     // eye units
     float thickness;  // assumed depth of what the view shows, eye units
-    int slices;       // 1..4
+    int slices;       // 1 to MOST_SLICES
     int taps;         // of each slice and side
     int group;        // 0..15, the pixel's number in its cell: the phases of a cell lie between each other
 };
@@ -38,15 +43,22 @@ struct SliceReceiver {
 struct Slices {
     vec3 view;
     int count;
-    Slice slice[4];
+    Slice slice[MOST_SLICES];
 };
 
-// A surface seen on one side of a slice.
+// A slice's plane about the receiver: where its normal points there, and across that to the side where angles grow.
+struct SlicePlane {
+    vec3 up;
+    vec3 across;
+};
+
+// A surface seen on one side of a slice. low, high: of what is known to hide behind it, sines of the angles to the plane's up.
 struct SliceTap {
     vec3 x;          // eye space
     vec3 normal;     // 0: the background
     float distance;  // from the receiver across the view ray
-    float position;  // the receiver's horizon if the surface lies below it
+    float low;
+    float high;
     bool above;
     bool marks;  // is within the radius
 };
@@ -71,10 +83,21 @@ float sliceAngle(float y, float x)
     return y < 0.0 ? -angle : angle;
 }
 
-// Where direction d, turned into the slice's plane, lies between the receiver's horizons, 0 and 1.
-float slicePosition(Slice s, vec3 view, vec3 d)
+// The arc sine to 7e-5, a thousandth of a sector [Abramowitz, Stegun 4.4.45].
+float sliceArcSine(float sine)
 {
-    return (sliceAngle(dot(d, s.along), dot(d, view)) - s.tilt) * INV_PI + 0.5;
+    float a = min(abs(sine), 1.0);
+    float angle = 0.5 * PI - sqrt(1.0 - a) * (1.5707288 + a * (-0.2121144 + a * (0.0742610 - a * 0.0187293)));
+    return sine < 0.0 ? -angle : angle;
+}
+
+// Of the angle that direction d, turned into the slice's plane, has to its up. side: that of the horizon, -1 or 1, which counts
+// where d is below it.
+float sliceSine(SlicePlane plane, vec3 d, float side)
+{
+    float across = dot(d, plane.across);
+    float up = dot(d, plane.up);
+    return up > 0.0 ? across * inversesqrt(across * across + up * up) : side;
 }
 
 // Bits of the sectors whose samples (j + phase) / 32 lie between two positions, whichever is the greater.
@@ -101,7 +124,8 @@ float sliceWeight(Slice s, vec3 view, vec3 normal, float a, float b)
 // Above its own plane no surface may rise by the rounding of depth and normal: half a degree, a tenth of a sector.
 bool isAbove(vec3 d, vec3 normal)
 {
-    return dot(d, normal) > 0.01 * length(d);
+    float height = dot(d, normal);
+    return height > 0.0 && height * height > 1e-4 * dot(d, d);
 }
 
 // Where the border's view ray meets the plane of the tapped surface; farther from the tap along the ray than their distance
@@ -125,22 +149,24 @@ vec3 cutAtEdge(vec3 x, vec3 end, SliceTap neighbour)
     return edge ? x + from / (from - to) * (end - x) : end;
 }
 
-// The sectors behind the tapped surface between its centre and the border to its neighbour.
-uint patchBits(SliceReceiver r, Slice s, float side, SliceTap tap, SliceBorder border, SliceTap neighbour)
+SliceTap widened(SliceTap tap, float sine)
 {
-    if (!tap.marks) return 0u;
-    vec3 d = cutAtEdge(tap.x, patchEnd(tap, border, 0.5 * r.footprint), neighbour) - r.point;
-    bool above = isAbove(d, r.normal);
-    if (!above && !tap.above) return 0u;
-    return sliceMarks(tap.position, above ? slicePosition(s, r.view, d) : 0.5 + 0.5 * side, s.phase);
+    tap.low = min(tap.low, sine);
+    tap.high = max(tap.high, sine);
+    return tap;
 }
 
-// The sectors behind the slab that reaches from the tapped surface away from the eye.
-uint slabBits(SliceView v, SliceReceiver r, Slice s, SliceTap tap)
+// Up to the border to its neighbour; what is below the receiver hides as much as its horizon, side.
+SliceTap widenedToBorder(SliceReceiver r, SlicePlane plane, float side, SliceTap tap, SliceBorder border, SliceTap neighbour)
 {
-    if (!tap.marks || !tap.above) return 0u;
-    vec3 back = tap.x + v.thickness * viewRayAt(v.inverseProjection, tap.x) - r.point;
-    return sliceMarks(tap.position, slicePosition(s, r.view, back), s.phase);
+    vec3 d = cutAtEdge(tap.x, patchEnd(tap, border, 0.5 * r.footprint), neighbour) - r.point;
+    return widened(tap, isAbove(d, r.normal) ? sliceSine(plane, d, side) : side);
+}
+
+uint tapBits(SliceTap tap, float phase)
+{
+    if (!tap.marks) return 0u;
+    return sliceMarks(sliceArcSine(tap.low) * INV_PI + 0.5, sliceArcSine(tap.high) * INV_PI + 0.5, phase);
 }
 
 // Distance of tap j from the receiver, or with a half taken off j, of the border to its neighbour: denser near the
@@ -157,24 +183,27 @@ SliceTap noTap()
     t.x = vec3(0.0);
     t.normal = vec3(0.0);
     t.distance = 0.0;
-    t.position = 0.0;
+    t.low = 0.0;
+    t.high = 0.0;
     t.above = false;
     t.marks = false;
     return t;
 }
 
-// The surface in that pixel, known at its centre.
-SliceTap tapAt(sampler2D depthMap, sampler2D normalMap, SliceView v, SliceReceiver r, Slice s, float side, ivec2 pixel)
+// The surface in that pixel, known at its centre, and the slab that reaches from it away from the eye along ray.
+SliceTap tapAt(sampler2D depthMap, sampler2D normalMap, SliceView v, SliceReceiver r, SlicePlane plane, float side, ivec2 pixel, vec3 ray)
 {
     SliceTap t = noTap();
     float depth = texelFetch(depthMap, pixel, 0).x;
     if (depth >= 1.0) return t;
     t.x = eyeFromDepth(v.inverseProjection, (vec2(pixel) + 0.5) / v.size * 2.0 - 1.0, depth);
-    t.normal = normalize(vec3(texelFetch(normalMap, pixel, 0)) * 2.0 - 1.0);
+    t.normal = vec3(texelFetch(normalMap, pixel, 0)) * 2.0 - 1.0;
     vec3 d = t.x - r.point;
     t.above = isAbove(d, r.normal);
-    t.position = t.above ? slicePosition(s, r.view, d) : 0.5 + 0.5 * side;
-    t.marks = length(d) <= v.radius;
+    t.marks = dot(d, d) <= v.radius * v.radius;
+    t.low = t.above ? sliceSine(plane, d, side) : side;
+    t.high = t.low;
+    if (t.above) t = widened(t, sliceSine(plane, d + v.thickness * ray, side));
     return t;
 }
 
@@ -192,6 +221,9 @@ uint sideBits(sampler2D depthMap, sampler2D normalMap, SliceView v, SliceReceive
 {
     vec4 clip = v.projection * vec4(r.point, 1.0);
     vec4 clipStep = v.projection * vec4(side * s.along, 0.0);
+    SlicePlane plane;
+    plane.up = cos(s.tilt) * r.view + sin(s.tilt) * s.along;
+    plane.across = cos(s.tilt) * s.along - sin(s.tilt) * r.view;
     uint bits = 0u;
     SliceTap former = noTap();
     int j = 0;
@@ -201,16 +233,17 @@ uint sideBits(sampler2D depthMap, sampler2D normalMap, SliceView v, SliceReceive
         vec4 c = clip + distance * clipStep;
         inside = c.w > 0.0 && abs(c.x) < c.w && abs(c.y) < c.w;
         if (inside) {
-            SliceTap tap = tapAt(depthMap, normalMap, v, r, s, side, ivec2((0.5 * vec2(c) / c.w + 0.5) * v.size));
-            tap.distance = distance;
             SliceBorder border = borderAt(v, r, s, side, tapDistance(v, r.footprint, float(j) - 0.5, phase));
-            bits |= patchBits(r, s, side, former, border, tap) | patchBits(r, s, side, tap, border, former) | slabBits(v, r, s, tap);
-            former = tap;
+            ivec2 pixel = ivec2((0.5 * vec2(c) / c.w + 0.5) * v.size);
+            SliceTap tap = tapAt(depthMap, normalMap, v, r, plane, side, pixel, border.ray);
+            tap.distance = distance;
+            bits |= tapBits(widenedToBorder(r, plane, side, former, border, tap), s.phase);
+            former = widenedToBorder(r, plane, side, tap, border, former);
             ++j;
         }
     } while (inside && j < v.taps);
     SliceBorder end = borderAt(v, r, s, side, tapDistance(v, r.footprint, float(j) - 0.5, phase));
-    return bits | patchBits(r, s, side, former, end, noTap());
+    return bits | tapBits(widenedToBorder(r, plane, side, former, end, noTap()), s.phase);
 }
 
 // The blocked sectors around the eye point p with unit normal n. bias [eye units] lifts it off its surface and must cover
@@ -246,7 +279,7 @@ Slices slicesOf(sampler2D depthMap, sampler2D normalMap, SliceView v, vec3 p, ve
 Slices rotated(mat3 m, Slices r)
 {
     r.view = m * r.view;
-    for (int i = 0; i < 4; ++i) r.slice[i].along = m * r.slice[i].along;
+    for (int i = 0; i < MOST_SLICES; ++i) r.slice[i].along = m * r.slice[i].along;
     return r;
 }
 
@@ -256,15 +289,14 @@ bool sliceBlocks(Slices r, vec3 l)
 {
     Slice s = r.slice[0];
     float along = dot(l, s.along);
-    for (int i = 1; i < 4; ++i) {
+    for (int i = 1; i < MOST_SLICES; ++i) {
         float c = i < r.count ? dot(l, r.slice[i].along) : 0.0;
         if (abs(c) > abs(along)) {
             s = r.slice[i];
             along = c;
         }
     }
-    float c = dot(l, r.view);
-    float angle = sliceAngle(sqrt(max(1.0 - c * c, 0.0)), c) * (along < 0.0 ? -1.0 : 1.0);
+    float angle = (0.5 * PI - sliceArcSine(dot(l, r.view))) * (along < 0.0 ? -1.0 : 1.0);
     float position = (angle - s.tilt) * INV_PI + 0.5;
     int sector = clamp(int(floor(32.0 * position - s.phase + 0.5)), 0, 31);
     return ((s.bits >> sector) & 1u) != 0u;
