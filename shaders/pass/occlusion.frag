@@ -5,9 +5,18 @@
 // flux cos over the lights it sees (num) and over all of them (den). Their filtered ratio is the visibility of D. A light is
 // blocked if the screen or its shadow map says so: bit by bit, so that no occluder counts twice [occlusion.md 4].
 // Alpha: the same sums of solid angle cos, the ambient visibility.
-#pragma import_defines(HAS_ATLAS, OCCLUSION_SLICES, OCCLUSION_RAYS, OCCLUSION_POINTS, OCCLUSION_HORIZONS, OCCLUSION_BENT_NORMAL, HAS_LOBES)
+#pragma import_defines(HAS_ATLAS, OCCLUSION_SLICES, OCCLUSION_RAYS, OCCLUSION_POINTS, OCCLUSION_HORIZONS, OCCLUSION_BENT_NORMAL, HAS_LOBES, SLICES_1, SLICES_2, SLICES_3)
 #if defined(OCCLUSION_HORIZONS) || defined(OCCLUSION_BENT_NORMAL)
 #define OCCLUSION_SCALAR
+#endif
+#if defined(SLICES_1)
+#define MOST_SLICES 1
+#elif defined(SLICES_2)
+#define MOST_SLICES 2
+#elif defined(SLICES_3)
+#define MOST_SLICES 3
+#else
+#define MOST_SLICES 4
 #endif
 
 #include "lib/opensky.glsl"
@@ -24,7 +33,6 @@ uniform int nearTaps;
 uniform sampler2D occlusionLightMap; // rows 2q, 2q + 1: directions and flux of group q
 #endif
 
-uniform int occlusionSlices;
 uniform int occlusionTaps;
 uniform int occlusionSteps;
 uniform float occlusionRadius;       // in scene radii
@@ -70,7 +78,7 @@ Slices pixelSlices(Receiver r, int group)
     v.thickness = occlusionThickness * v.radius;
     v.taps = occlusionTaps;
 #endif
-    v.slices = occlusionSlices;
+    v.slices = MOST_SLICES;
     v.group = group;
     return slicesOf(depthMap, normalMap, v, r.eye, r.normal, r.bias, r.footprint);
 }
@@ -116,13 +124,20 @@ vec3 towardsLight(int group, int i)
 #endif
 }
 
-// The next light after i that is above the horizon of normal: pixels that run side by side look for theirs together, and none
-// waits while another is busy with a light that it does not see.
-int nextLight(int group, int i, int count, vec3 normal)
+// Bit i: light first + i of a group is above the horizon of normal. Pixels that run side by side take theirs together, one each
+// turn of a loop, and none waits while another is busy with a light that it does not see.
+uint lightsAbove(int group, int first, vec3 normal)
 {
-    do ++i;
-    while (i < count && dot(normal, towardsLight(group, i)) <= 0.0);
-    return i;
+    uint above = 0u;
+    int count = min(lightCount() - first, 32);
+    for (int i = 0; i < count; ++i) above |= dot(normal, towardsLight(group, first + i)) > 0.0 ? 1u << i : 0u;
+    return above;
+}
+
+// The number of the only bit that is set; findLSB() is of later versions of GLSL.
+int bitNumber(uint bit)
+{
+    return int(floatBitsToUint(float(bit)) >> 23) - 127;
 }
 
 #ifdef OCCLUSION_BENT_NORMAL
@@ -184,48 +199,51 @@ void main()
     // lobe: sums of solid angle times the lobe that S integrates: not the light in it, of which S knows more than these lights do.
     LightSums sums = LightSums(vec4(0.0), vec4(0.0), vec2(0.0));
     int count = lightCount();
-    int i = nextLight(group, -1, count, normal);
-    if (i < count) do {
+    for (int first = 0; first < count; first += 32) {
+        uint left = lightsAbove(group, first, normal);
+        while (left != 0u) {
+            int i = first + bitNumber(left & (~left + 1u));
+            left &= left - 1u;
 #ifdef HAS_ATLAS
-        AtlasLight light = atlasLight(group, i);
-        vec4 e = vec4(light.flux, light.solidAngle);
-        vec3 direction = light.direction;
+            AtlasLight light = atlasLight(group, i);
+            vec4 e = vec4(light.flux, light.solidAngle);
+            vec3 direction = light.direction;
 #else
-        vec4 e = vec4(texelFetch(occlusionLightMap, ivec2(i, 2 * group + 1), 0).rgb, 0.0);
-        vec3 direction = towardsLight(group, i);
+            vec4 e = vec4(texelFetch(occlusionLightMap, ivec2(i, 2 * group + 1), 0).rgb, 0.0);
+            vec3 direction = towardsLight(group, i);
 #endif
-        float c = dot(normal, direction);
-        e *= c;
-        sums.den += e;
+            float c = dot(normal, direction);
+            e *= c;
+            sums.den += e;
 #ifdef HAS_LOBES
-        float l = glossy ? e.a * lobeShare(normal, view, direction, roughness) : 0.0;
-        sums.lobe.y += l;
+            float l = glossy ? e.a * lobeShare(normal, view, direction, roughness) : 0.0;
+            sums.lobe.y += l;
 #endif
-        bool seen = true;
+            bool seen = true;
 #ifdef OCCLUSION_SLICES
-        seen = !sliceBlocks(slices, direction);
+            seen = !sliceBlocks(slices, direction);
 #endif
-        // The points of neighbouring pixels and lights lie between each other.
+            // The points of neighbouring pixels and lights lie between each other.
 #ifdef OCCLUSION_RAYS
-        seen = seen && rayBlocked(depthMap, march, direction * lightsFromEye(), fract(float(group) * 0.0625 + float(i) * 0.61803399)) < 0.5;
+            seen = seen && rayBlocked(depthMap, march, direction * lightsFromEye(), fract(float(group) * 0.0625 + float(i) * 0.61803399)) < 0.5;
 #endif
 #ifdef OCCLUSION_POINTS
-        e *= 1.0 - pointHidden(depthMap, march, direction * lightsFromEye(), fract(float(group) * 0.0625 + float(i) * 0.61803399));
+            e *= 1.0 - pointHidden(depthMap, march, direction * lightsFromEye(), fract(float(group) * 0.0625 + float(i) * 0.61803399));
 #endif
 #ifdef OCCLUSION_HORIZONS
-        e *= open.w;
+            e *= open.w;
 #endif
 #ifdef HAS_ATLAS
-        seen = seen && atlasSees(light, point, normal, c) > 0.5;
+            seen = seen && atlasSees(light, point, normal, c) > 0.5;
 #endif
-        if (seen) {
-            sums.num += e;
+            if (seen) {
+                sums.num += e;
 #ifdef HAS_LOBES
-            sums.lobe.x += l;
+                sums.lobe.x += l;
 #endif
+            }
         }
-        i = nextLight(group, i, count, normal);
-    } while (i < count);
+    }
 #endif
     sumsTexel = packSums(sums);
     placeTexel = packPlace(SumsPlace(receiver.normal, texelFetch(depthMap, p, 0).r, 1.0), sums.lobe);

@@ -57,6 +57,7 @@ void OcclusionPass::setup(PassBuilder& b, FrameContext& c)
     static const char* const methods[] = {"OCCLUSION_SLICES", "OCCLUSION_RAYS", "OCCLUSION_POINTS", "OCCLUSION_HORIZONS",
                                           "OCCLUSION_BENT_NORMAL"};
     if (c.decisions.screen) b.define(methods[c.decisions.atlas.needed ? Settings::SLICE : c.settings.occlusionMethod]);
+    if (c.decisions.screen && c.settings.occlusionSlices < 4) b.define("SLICES_" + std::to_string(c.settings.occlusionSlices));
     b.define("HAS_LOBES", occludesLobes(c));
     drawSurfaces(b);
     b.write(b.create("light sums", packed), noSums);
