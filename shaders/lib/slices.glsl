@@ -52,7 +52,8 @@ struct SlicePlane {
     vec3 across;
 };
 
-// A surface seen on one side of a slice. low, high: of what is known to hide behind it, sines of the angles to the plane's up.
+// A surface seen on one side of a slice. low, high: the ends of what is known to hide behind it, as
+// of sliceTurn().
 struct SliceTap {
     vec3 x;          // eye space
     vec3 normal;     // 0: the background
@@ -70,34 +71,38 @@ struct SliceBorder {
     vec3 ray;
 };
 
-// The angle of (x, y) to 1e-5, a ten-thousandth of a sector, in a third of the built-in function's time.
+// atan(t) for |t| <= 1 to 1e-5, a ten-thousandth of a sector, in a third of the built-in function's time.
+float sliceArcTangent(float t)
+{
+    float t2 = t * t;
+    return t * (0.9998660 + t2 * (-0.3302995 + t2 * (0.1801410 + t2 * (-0.0851330 + t2 * 0.0208351))));
+}
+
+// The angle of (x, y) to 1e-5.
 float sliceAngle(float y, float x)
 {
     float a = abs(x);
     float b = abs(y);
-    float t = min(a, b) / max(max(a, b), 1e-30);
-    float t2 = t * t;
-    float angle = t * (0.9998660 + t2 * (-0.3302995 + t2 * (0.1801410 + t2 * (-0.0851330 + t2 * 0.0208351))));
+    float angle = sliceArcTangent(min(a, b) / max(max(a, b), 1e-30));
     if (b > a) angle = 0.5 * PI - angle;
     if (x < 0.0) angle = PI - angle;
     return y < 0.0 ? -angle : angle;
 }
 
-// The arc sine to 7e-5, a thousandth of a sector [Abramowitz, Stegun 4.4.45].
-float sliceArcSine(float sine)
-{
-    float a = min(abs(sine), 1.0);
-    float angle = 0.5 * PI - sqrt(1.0 - a) * (1.5707288 + a * (-0.2121144 + a * (0.0742610 - a * 0.0187293)));
-    return sine < 0.0 ? -angle : angle;
-}
-
-// Of the angle that direction d, turned into the slice's plane, has to its up. side: that of the horizon, -1 or 1, which counts
-// where d is below it.
-float sliceSine(SlicePlane plane, vec3 d, float side)
+// The angle that direction d, turned into the slice's plane, has to its up, as a number from -1 to 1 that grows with it and takes
+// but a division: the place on the diamond |x| + |y| = 1. side: that of the horizon, -1 or 1, which counts where d is below it.
+float sliceTurn(SlicePlane plane, vec3 d, float side)
 {
     float across = dot(d, plane.across);
     float up = dot(d, plane.up);
-    return up > 0.0 ? across * inversesqrt(across * across + up * up) : side;
+    return up > 0.0 ? across / (abs(across) + up) : side;
+}
+
+// Where that lies between the receiver's horizons, 0 and 1.
+float turnPosition(float turn)
+{
+    float share = 0.25 + sliceArcTangent(2.0 * abs(turn) - 1.0) * INV_PI;  // of pi, to 1e-5
+    return turn < 0.0 ? 0.5 - share : 0.5 + share;
 }
 
 // Bits of the sectors whose samples (j + phase) / 32 lie between two positions, whichever is the greater.
@@ -149,10 +154,10 @@ vec3 cutAtEdge(vec3 x, vec3 end, SliceTap neighbour)
     return edge ? x + from / (from - to) * (end - x) : end;
 }
 
-SliceTap widened(SliceTap tap, float sine)
+SliceTap widened(SliceTap tap, float turn)
 {
-    tap.low = min(tap.low, sine);
-    tap.high = max(tap.high, sine);
+    tap.low = min(tap.low, turn);
+    tap.high = max(tap.high, turn);
     return tap;
 }
 
@@ -160,13 +165,13 @@ SliceTap widened(SliceTap tap, float sine)
 SliceTap widenedToBorder(SliceReceiver r, SlicePlane plane, float side, SliceTap tap, SliceBorder border, SliceTap neighbour)
 {
     vec3 d = cutAtEdge(tap.x, patchEnd(tap, border, 0.5 * r.footprint), neighbour) - r.point;
-    return widened(tap, isAbove(d, r.normal) ? sliceSine(plane, d, side) : side);
+    return widened(tap, isAbove(d, r.normal) ? sliceTurn(plane, d, side) : side);
 }
 
 uint tapBits(SliceTap tap, float phase)
 {
     if (!tap.marks) return 0u;
-    return sliceMarks(sliceArcSine(tap.low) * INV_PI + 0.5, sliceArcSine(tap.high) * INV_PI + 0.5, phase);
+    return sliceMarks(turnPosition(tap.low), turnPosition(tap.high), phase);
 }
 
 // Distance of tap j from the receiver, or with a half taken off j, of the border to its neighbour: denser near the
@@ -201,9 +206,9 @@ SliceTap tapAt(sampler2D depthMap, sampler2D normalMap, SliceView v, SliceReceiv
     vec3 d = t.x - r.point;
     t.above = isAbove(d, r.normal);
     t.marks = dot(d, d) <= v.radius * v.radius;
-    t.low = t.above ? sliceSine(plane, d, side) : side;
+    t.low = t.above ? sliceTurn(plane, d, side) : side;
     t.high = t.low;
-    if (t.above) t = widened(t, sliceSine(plane, d + v.thickness * ray, side));
+    if (t.above) t = widened(t, sliceTurn(plane, d + v.thickness * ray, side));
     return t;
 }
 
@@ -296,7 +301,8 @@ bool sliceBlocks(Slices r, vec3 l)
             along = c;
         }
     }
-    float angle = (0.5 * PI - sliceArcSine(dot(l, r.view))) * (along < 0.0 ? -1.0 : 1.0);
+    float c = dot(l, r.view);
+    float angle = sliceAngle(sqrt(max(1.0 - c * c, 0.0)), c) * (along < 0.0 ? -1.0 : 1.0);
     float position = (angle - s.tilt) * INV_PI + 0.5;
     int sector = clamp(int(floor(32.0 * position - s.phase + 0.5)), 0, 31);
     return ((s.bits >> sector) & 1u) != 0u;

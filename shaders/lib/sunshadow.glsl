@@ -55,7 +55,15 @@ bool sunWithin(SunMap m, vec2 xy)
     return min(xy.x, xy.y) >= 0.0 && max(xy.x, xy.y) < float(m.size);
 }
 
-// Heights of the first surface and of the middle at xy, and the centre of their texel.
+// Heights of the first surface and of the middle at xy within the map, and the centre of their texel.
+vec4 sunTexel(sampler2D sunMaps, SunMap m, vec2 xy)
+{
+    vec2 cell = floor(xy);
+    vec4 heights = texelFetch(sunMaps, m.corner + ivec2(cell), 0) * m.heights;
+    return vec4(heights.x, heights.y, cell + 0.5);
+}
+
+// The same at any xy.
 vec4 sunSurface(sampler2D sunMaps, SunMap m, vec2 xy)
 {
     vec2 cell = floor(xy);
@@ -115,20 +123,28 @@ float sunBlocker(sampler2D sunMaps, SunMap m, SunReceiver r, vec2 xy, vec2 slope
     if (reach <= 0.0) return -1.0;
     float speed = length(slope);
     float across = speed * reach;
-    int steps = across > 1.0 ? 1 + int(min(ceil(log(across) / log(1.6)), 12.0)) : 1;
-    float growth = steps > 1 ? pow(across, 1.0 / float(steps - 1)) : 1.0;
+    float doublings = log2(max(across, 1.0));
+    int steps = 1 + int(min(ceil(doublings / log2(1.6)), 12.0));
+    float growth = exp2(doublings / float(max(steps - 1, 1)));
     float low = 0.0;
     float high = steps > 1 ? reach / across : reach;
     vec4 former = sunSurface(sunMaps, m, xy);
     vec4 surface = former;
-    // Most rays pass everything: until something may be met, all there is to do is to march on.
+    // Most rays pass everything: until something may be met, or the map ends, all there is to do is to march on.
+    bool formerHides = sunHides(r, former);
     bool passes = true;
     do {
-        surface = sunSurface(sunMaps, m, xy + slope * high);
-        passes = !sunMayMeet(r, former, low, high) && !sunMayMeet(r, surface, low, high) &&
-                 (!sunAbove(r, former, low) || sunAbove(r, surface, high));
+        vec2 there = xy + slope * high;
+        surface = sunTexel(sunMaps, m, there);
+        bool hides = sunHides(r, surface);
+        float rise = surface.x - r.point.z;
+        float formerRise = former.x - r.point.z;
+        bool meets = hides && rise > low && rise <= high;
+        meets = meets || (formerHides && formerRise > low && (formerRise <= high || !(hides && rise > high)));
+        passes = !meets && sunWithin(m, there);
         if (passes) {
             former = surface;
+            formerHides = hides;
             low = high;
             high *= growth;
             --steps;

@@ -11,6 +11,7 @@ uniform sampler2D atlasMap;
 uniform sampler2D atlasLightMap; // rows 4q .. 4q + 3 of group q: texels across, texels up, height, each with its
                                  // offset, and flux with the solid angle, negative where there is no map yet
 uniform int atlasSize;           // of a map, in texels
+uniform float atlasShare;        // one over that
 uniform float atlasTexel;        // its side in the world
 uniform mat4 atlasFromEye;
 #ifdef HAS_NEIGHBOURHOOD
@@ -36,9 +37,9 @@ AtlasLight atlasLight(int group, int i)
     light.flux = flux.rgb;
     light.solidAngle = abs(flux.a);
     light.direction = texelFetch(atlasLightMap, ivec2(i, 4 * group + 2), 0).xyz;
-    float perHeight = length(light.direction);
-    light.direction /= perHeight;
-    light.texel = sign(flux.a) / (perHeight * float(atlasSize));
+    float height = inversesqrt(dot(light.direction, light.direction));  // of the map, in the world
+    light.direction *= height;
+    light.texel = sign(flux.a) * height * atlasShare;
     light.index = i;
     light.group = group;
     return light;
@@ -51,7 +52,7 @@ vec4 atlasPlace(ivec2 row, vec3 p, vec3 n)
                           texelFetch(atlasLightMap, row + ivec2(0, 2), 0));
     vec3 place = vec4(p, 1.0) * toMap;
     // Positions are atlasSize times as fine as heights, and normals go by the inverse.
-    vec3 normal = vec4(n, 0.0) * toMap / vec3(atlasSize * atlasSize, atlasSize * atlasSize, 1);
+    vec3 normal = vec4(n, 0.0) * toMap * vec3(atlasShare * atlasShare, atlasShare * atlasShare, 1.0);
     return vec4(place, riseToCentre(normal, place.xy));
 }
 

@@ -2,12 +2,16 @@
 // The suns that were cut from the map: discs of even radiance, in its frame and in units of its mean.
 #ifndef SUNS_GLSL
 #define SUNS_GLSL
-#pragma import_defines(HAS_SUN_SHADOWS)
+#pragma import_defines(HAS_SUN_SHADOWS, ONE_SUN)
 
 #include "lib/limits.glsl"
 #include "lib/sun.glsl"
 
+#ifdef ONE_SUN
+const int sunCount = 1;  // so that the loops over suns and the look-ups in their arrays fall away
+#else
 uniform int sunCount;
+#endif
 uniform vec3 sunDirection[MOST_SUNS];
 uniform vec3 sunRadiance[MOST_SUNS];
 uniform float sunRadius[MOST_SUNS];

@@ -28,19 +28,21 @@ vec2 sunTexels(vec4 level, int sun, vec3 point)
     return vec2(dot(point, sunAxes[3 * sun]), dot(point, sunAxes[3 * sun + 1])) * level.xy + level.zw;
 }
 
-// The finest map that shows the point. The border between two is scattered over a sixteenth of their width.
-SunMap sunMapAt(int sun, SunPixel s)
+// The finest map that shows the point, and its own of sunLevels. The border between two is scattered over a sixteenth of their width.
+SunMap sunMapAt(int sun, SunPixel s, out vec4 own)
 {
     vec4 whole = sunLevels[MOST_SUN_LEVELS * sun];
     float size = float(sunMapSize);
     float margin = 2.0 + size / 16.0 * (float(s.group) + 0.5) / 16.0;
-    int level = sunShadowLevels - 1;
-    for (; level > 0; --level) {
-        if (sunLevels[MOST_SUN_LEVELS * sun + level].x <= 0.0) continue;
-        vec2 xy = sunTexels(sunLevels[MOST_SUN_LEVELS * sun + level], sun, s.point);
-        if (min(xy.x, xy.y) >= margin && max(xy.x, xy.y) <= size - margin) break;
+    int level = 0;
+    own = whole;
+    for (int i = 1; i < MOST_SUN_LEVELS; ++i) {
+        vec4 finer = sunLevels[MOST_SUN_LEVELS * sun + i];
+        vec2 xy = sunTexels(finer, sun, s.point);
+        bool shows = i < sunShadowLevels && finer.x > 0.0 && min(xy.x, xy.y) >= margin && max(xy.x, xy.y) <= size - margin;
+        level = shows ? i : level;
+        own = shows ? finer : own;
     }
-    vec4 own = sunLevels[MOST_SUN_LEVELS * sun + level];
     SunMap m;
     m.corner = ivec2(level, sun) * sunMapSize;
     m.size = sunMapSize;
@@ -59,8 +61,8 @@ vec2 sunSeen(int sun, SunPixel s, int count)
     float spread = tan(sunRadius[sun]);
     vec3 n = vec3(dot(s.normal, sunAxes[3 * sun]), dot(s.normal, sunAxes[3 * sun + 1]), dot(s.normal, sunAxes[3 * sun + 2]));
     if (n.z <= -spread) return vec2(1.0, 0.0);
-    SunMap m = sunMapAt(sun, s);
-    vec4 level = sunLevels[MOST_SUN_LEVELS * sun + m.corner.x / sunMapSize];
+    vec4 level;
+    SunMap m = sunMapAt(sun, s, level);
     float finest = max(level.x, level.y);
     vec2 perHeight = level.xy / finest; // texels across that are as long as one of height
     SunReceiver r;

@@ -136,16 +136,8 @@ TEST(slices, AngleIsThatOfTheVector)
     EXPECT_EQ(glsl::sliceAngle(0.0, 0.0), 0.0);
 }
 
-// A thousandth of a sector.
-TEST(slices, ArcSineIsThatOfTheSine)
-{
-    for (int i = -1000; i <= 1000; ++i) ASSERT_NEAR(glsl::sliceArcSine(i / 1000.0), std::asin(i / 1000.0), 7e-5) << i;
-    EXPECT_EQ(glsl::sliceArcSine(1.0), 0.5 * pi);
-    EXPECT_EQ(glsl::sliceArcSine(-1.5), -0.5 * pi);
-}
-
 // What reaches on below the receiver's horizon, as slabs do, hides all up to the horizon on its own side, wherever it ends.
-TEST(slices, SineIsThatOfTheAngleOrOfTheHorizon)
+TEST(slices, TurnFindsTheAngleOrTheHorizon)
 {
     glsl::SlicePlane plane;
     plane.up = vec3(0, 0, 1);
@@ -156,8 +148,8 @@ TEST(slices, SineIsThatOfTheAngleOrOfTheHorizon)
         const double length = std::exp(random.uniform(-10, 10));
         const double side = i % 2 ? 1.0 : -1.0;
         const vec3 d(length * std::sin(angle), random.uniform(-1, 1) * length, length * std::cos(angle));
-        const double expected = std::abs(angle) < 0.5 * pi ? std::sin(angle) : side;
-        ASSERT_NEAR(glsl::sliceSine(plane, d, side), expected, 1e-12) << angle;
+        const double expected = 0.5 + (std::abs(angle) < 0.5 * pi ? angle / pi : 0.5 * side);
+        ASSERT_NEAR(glsl::turnPosition(glsl::sliceTurn(plane, d, side)), expected, 1.2e-5 / pi) << angle;
     }
 }
 

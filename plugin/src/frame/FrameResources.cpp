@@ -88,11 +88,13 @@ osg::StateSet& FrameResources::atlasState(const std::string& name, const ShadowA
         state = new osg::StateSet;
         state->addUniform(new osg::Uniform("atlasTexel", 0.0f));
         state->addUniform(new osg::Uniform("atlasSize", 0));  // a still view's differs from the setting
+        state->addUniform(new osg::Uniform("atlasShare", 0.0f));
         state->addUniform(new osg::Uniform("neighbourhood", osg::Vec4()));
         state->addUniform(new osg::Uniform("neighbourhoodTexel", 0.0f));
     }
     state->getUniform("atlasTexel")->set(float(atlas.texel()));
     state->getUniform("atlasSize")->set(int(atlas.size));
+    state->getUniform("atlasShare")->set(1.0f / float(atlas.size));
     if (near) {
         const osg::BoundingSphered shown = near->shown();
         const osg::Vec3 center = shown.center() - atlas.origin();

@@ -21,6 +21,7 @@ void readLobes(PassBuilder& b, const FrameContext& c)
 
 void readSuns(PassBuilder& b, FrameContext& c)
 {
+    b.define("ONE_SUN", c.textures.suns().size() == 1);
     std::vector<osg::ref_ptr<osg::Uniform>> uniforms;
     c.textures.addSuns(uniforms);
     for (const auto& u : uniforms) b.uniform(u.get());
