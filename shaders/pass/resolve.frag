@@ -1,6 +1,6 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// The one place where the terms meet: the radiance of the picture and of what is behind it. Alpha: 1 where there is a surface.
+// The one place where the terms meet: the radiance of the surfaces. Alpha: 1 where there is one.
 
 #include "pass/picture.glsl"
 
@@ -9,5 +9,5 @@ layout(location = 0) out vec4 radiance;
 void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
-    radiance = pictureRadiance(p, mapFromEye * viewRay(inverseProjection, pixelNdc(p)));
+    radiance = isBackground(p) ? vec4(0.0) : vec4(surfaceRadiance(p), 1.0);
 }

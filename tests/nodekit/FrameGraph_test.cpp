@@ -245,9 +245,9 @@ TEST_F(FrameGraphTest, TimesAreOfOneFrame)
     EXPECT_TRUE(drawn);
     renderer.render(lit, 6);
     for (const auto& r : lit->plan().passes) {
-        const bool draws = r.pass == "gbuffer" || r.pass == "pixelmarks" || r.pass == "diffuse" || r.pass == "occlusion" ||
-                           r.pass == "filterrows" || r.pass == "filter" || r.pass == "bounce" || r.pass == "bouncesum" ||
-                           r.pass == "resolve" || r.pass == "composite";
+        const bool draws = r.pass == "gbuffer" || r.pass == "pixelmarks" || r.pass == "background" || r.pass == "diffuse" ||
+                           r.pass == "occlusion" || r.pass == "filterrows" || r.pass == "filter" || r.pass == "bounce" ||
+                           r.pass == "bouncesum" || r.pass == "resolve" || r.pass == "composite";
         EXPECT_EQ(draws, r.cpu > 0.0) << r.pass;
     }
 }
@@ -257,8 +257,8 @@ TEST_F(FrameGraphTest, EveryPassIsInThePlan)
     osg::ref_ptr<WithPasses> lit = makeScene();
     renderer.render(lit, 1);
     for (const char* pass :
-         {"gbuffer", "pixelmarks", "penumbrae", "scenelights", "seen",       "atlas",      "stillmaps", "suns",
-          "sunmap",  "sunshadow",  "sunfilter", "diffuse",     "occlusion",  "filterrows", "filter",    "specular",
-          "bounce",  "bouncesum",  "resolve",   "accumulate",  "stillerror", "composite",  "forward"})
+         {"background", "gbuffer", "pixelmarks", "penumbrae", "scenelights", "seen",       "atlas",      "stillmaps",
+          "suns",       "sunmap",  "sunshadow",  "sunfilter", "diffuse",     "occlusion",  "filterrows", "filter",
+          "specular",   "bounce",  "bouncesum",  "resolve",   "accumulate",  "stillerror", "composite",  "forward"})
         EXPECT_NE("", lit->plan().reason(pass)) << pass;
 }

@@ -31,7 +31,7 @@ osg::ref_ptr<osg::Depth> depthTest(const PassInputs& in, bool reversed)
     if (!in.marks.valid()) return new osg::Depth(osg::Depth::ALWAYS, 0, 1, false);
     if (in.writesMarks) return new osg::Depth(osg::Depth::ALWAYS);
     const double z = double(in.drawnMark + 0.5f * limits::MARK_STEP);
-    return new osg::Depth(osg::Depth::GREATER, z, z, false);
+    return new osg::Depth(in.drawsUnmarked ? osg::Depth::LESS : osg::Depth::GREATER, z, z, false);
 }
 
 }  // namespace
@@ -213,7 +213,7 @@ osg::StateSet& FrameGraph::stateOf(const Node& node, FrameContext& c)
     const bool reversed = in.toHost && c.depth.reversed;
     const std::vector<StateSets::Sampler> all = samplers(node);
     const bool drawsMarked = in.marks.valid() && !in.writesMarks;
-    const std::string mark = drawsMarked ? " of mark " + std::to_string(in.drawnMark) : "";
+    const std::string mark = drawsMarked ? (in.drawsUnmarked ? " beyond mark " : " of mark ") + std::to_string(in.drawnMark) : "";
     StateSets::Key key{name + (in.adds ? " adds" : "") + (reversed ? " reversed" : "") + mark, in.defines, {}};
     for (const StateSets::Sampler& s : all) key.objects.push_back(s.texture.get());
     for (const auto& u : in.uniforms) key.objects.push_back(u.get());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame/PassBuilder.h"
 
+#include "base/Limits.h"
 #include "frame/FrameGraph.h"
 
 #include <stdexcept>
@@ -80,6 +81,12 @@ void PassBuilder::drawMarked(TextureId marks, float mark)
     _graph._resources[size_t(marks._index)].readers.push_back(_pass);
     _inputs.marks = marks;
     _inputs.drawnMark = mark;
+}
+
+void PassBuilder::drawUnmarked(TextureId marks)
+{
+    drawMarked(marks, limits::MARK_NONE - limits::MARK_STEP);
+    _inputs.drawsUnmarked = true;
 }
 
 void PassBuilder::triangle(const std::function<osg::ref_ptr<FullScreen>()>& make, const std::function<void(FullScreen&)>& prepare)

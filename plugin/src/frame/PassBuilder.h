@@ -60,6 +60,7 @@ struct PassInputs {
     std::vector<Target> targets;
     TextureId marks;  // depth texture of the targets
     bool writesMarks = false;
+    bool drawsUnmarked = false;
     float drawnMark = 0.0f;  // of the pixels that are drawn, else: those of this mark or a lower one
     std::vector<std::string> defines;
     std::vector<osg::ref_ptr<osg::Uniform>> uniforms;
@@ -105,6 +106,8 @@ class OSGENVLIGHT_EXPORT PassBuilder
     void mark(TextureId marks);
     /** Draw only the pixels that have this mark or a lower one: the depth test drops the others before their shader runs. */
     void drawMarked(TextureId marks, float mark);
+    /** Draw only those that have none. */
+    void drawUnmarked(TextureId marks);
     /** Draw into the host's colour and depth. */
     void writeHost() { _inputs.toHost = true; }
     /** Draw whether or not another pass reads it in this frame. */

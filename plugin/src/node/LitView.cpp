@@ -33,6 +33,7 @@ LitView::LitView(Failure* failure, RetiredObjects* retired, SurfaceSorter* sorte
     graph.add(new SpecularPass);
     graph.add(new BouncePass);
     graph.add(new BounceSumPass);
+    graph.add(new BackgroundPass);
     graph.add(new ResolvePass);
     graph.add(new AccumulatePass);
     graph.add(new StillErrorPass);

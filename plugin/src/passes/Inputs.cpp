@@ -74,15 +74,20 @@ void readTerms(PassBuilder& b, FrameContext& c)
     }
 }
 
-void readPicture(PassBuilder& b, FrameContext& c)
+void readBackground(PassBuilder& b, FrameContext& c)
 {
-    readTerms(b, c);
     b.define("BACKGROUND", c.background != Settings::BACKGROUND_OFF);
     if (c.background == Settings::BACKGROUND_BLUR) {
         b.define("BACKGROUND_BLUR");
         b.bind(c.textures.pyramid(), "pyramidMap");
     }
     if (c.background == Settings::BACKGROUND_ON) b.bind(c.textures.latlong(), "latlongMap");
+}
+
+void readPicture(PassBuilder& b, FrameContext& c)
+{
+    readTerms(b, c);
+    readBackground(b, c);
 }
 
 }  // namespace osgEnvLight

@@ -39,6 +39,8 @@ void readSunMaps(PassBuilder& builder, FrameContext& context);
 void readDiffuseTerms(PassBuilder& builder, const FrameContext& context);
 /** The same with S and the bounce. */
 void readTerms(PassBuilder& builder, FrameContext& context);
+/** What is behind the scene. */
+void readBackground(PassBuilder& builder, FrameContext& context);
 /** What pass/picture.glsl reads: the terms, and what is behind the scene. */
 void readPicture(PassBuilder& builder, FrameContext& context);
 

@@ -6,24 +6,56 @@
 namespace osgEnvLight
 {
 
-Requirement ResolvePass::require(const FrameContext& c) const
+namespace
 {
-    Requirement resolve;
-    resolve.unless(c.settings.view != Settings::BEAUTY, "an intermediate is shown");
-    return resolve.because("the sum of the terms");
+
+Requirement requirePicture(const FrameContext& c)
+{
+    Requirement picture;
+    return picture.unless(c.settings.view != Settings::BEAUTY, "an intermediate is shown");
+}
+
+}  // namespace
+
+Requirement BackgroundPass::require(const FrameContext& c) const
+{
+    Requirement background = requirePicture(c);
+    background.unless(c.background == Settings::BACKGROUND_OFF, c.behind);
+    return background.because(c.behind);
 }
 
 // A still view shows its first frame's while its average is young.
-void ResolvePass::setup(PassBuilder& b, FrameContext& c)
+void BackgroundPass::setup(PassBuilder& b, FrameContext& c)
 {
     const TextureId radiance = b.create("radiance", {GL_RGBA32F_ARB, 0, c.still != nullptr});
     if (c.still && c.still->frames() > 0) {
         b.keepContents();
         return;
     }
-    b.readGBuffer();
-    readPicture(b, c);
+    readBackground(b, c);
+    if (b.find("pixel marks").valid()) b.drawUnmarked(b.find("pixel marks"));
     b.write(radiance);
+}
+
+Requirement ResolvePass::require(const FrameContext& c) const
+{
+    return requirePicture(c).because("the sum of the terms");
+}
+
+void ResolvePass::setup(PassBuilder& b, FrameContext& c)
+{
+    TextureId radiance = b.find("radiance");
+    const bool overBackground = radiance.valid();
+    if (!overBackground) radiance = b.create("radiance", {GL_RGBA32F_ARB, 0, c.still != nullptr});
+    const bool surfaces = b.find("pixel marks").valid();
+    if ((c.still && c.still->frames() > 0) || (overBackground && !surfaces)) {
+        b.keepContents();
+        return;
+    }
+    b.readGBuffer();
+    readTerms(b, c);
+    if (surfaces) drawSurfaces(b);
+    overBackground ? b.drawOver(radiance) : b.write(radiance);
 }
 
 Requirement CompositePass::require(const FrameContext& c) const

@@ -6,8 +6,16 @@
 namespace osgEnvLight
 {
 
-/** L = L_e + S + D - O and the bounce: the radiance of the picture, and of the map behind it. What adds light later adds to it.
- */
+/** The radiance of the map behind the scene. */
+class OSGENVLIGHT_EXPORT BackgroundPass : public RenderPass
+{
+  public:
+    const char* name() const override { return "background"; }
+    Requirement require(const FrameContext& context) const override;
+    void setup(PassBuilder& builder, FrameContext& context) override;
+};
+
+/** L = L_e + S + D - O and the bounce: the radiance of the surfaces, beside that. What adds light later adds to it. */
 class OSGENVLIGHT_EXPORT ResolvePass : public RenderPass
 {
   public:
