@@ -21,7 +21,7 @@ void main()
     vec4 num = sums.num;
     vec4 den = sums.den;
 #ifdef COMBINE_SUBTRACT
-    occlusion.rgb = (den.rgb - num.rgb) / place.share * (16.0 * INV_PI);
+    occlusion.rgb = (den.rgb - num.rgb) * (16.0 * INV_PI);
 #else
     occlusion.rgb = vec3(den.r > 0.0 ? num.r / den.r : 1.0, den.g > 0.0 ? num.g / den.g : 1.0,
                          den.b > 0.0 ? num.b / den.b : 1.0);

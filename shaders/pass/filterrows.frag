@@ -10,8 +10,8 @@ layout(location = 1) out uvec4 rowPlace;
 void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
-    SumsPlace place = unpackPlace(texelFetch(placeMap, p, 0));
-    LightSums sums = filteredSums(p, ivec2(1, 0), place);
+    rowPlace = texelFetch(placeMap, p, 0);
+    LightSums sums = filteredSums(p, ivec2(1, 0), unpackPlace(rowPlace));
     rowSums = packSums(sums);
-    rowPlace = packPlace(place, sums.lobe);
+    rowPlace.w = packHalf2x16(sums.lobe);
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What the pixels of an interleaved cell know of their lights, packed into two texels with the geometry that the filter weighs it
-// by: a neighbour costs two fetches.
+// The sums over a pixel's lights, and the surface there, by which the filter weighs neighbours: packed into two texels.
 #ifndef LIGHTSUMS_GLSL
 #define LIGHTSUMS_GLSL
+
+#include "lib/octahedral.glsl"
 
 // num and den: sums over the pixel's lights, those it sees and all of them. lobe: the same two sums for the lobe.
 struct LightSums {
@@ -11,12 +12,25 @@ struct LightSums {
     vec2 lobe;
 };
 
-// Where a pixel's sums are from. share: of the filter's weights that its neighbours have got.
+// Where a pixel's sums are from. facet: normal of the plane about it.
 struct SumsPlace {
     vec3 normal;
+    vec3 facet;
     float depth;
-    float share;
 };
+
+// 16 bits: 0 if it is the surface's normal, else to half a degree.
+uint packFacet(vec3 facet, vec3 normal)
+{
+    uvec2 st = uvec2(octahedralFromDirection(facet) * 254.0 + 1.5);
+    return facet == normal ? 0u : st.x << 8 | st.y;
+}
+
+vec3 unpackFacet(uint code, vec3 normal)
+{
+    vec2 st = (vec2(float(code >> 8), float(code & 0xffu)) - 1.0) / 254.0;
+    return code == 0u ? normal : directionFromOctahedral(st);
+}
 
 uvec4 packSums(LightSums s)
 {
@@ -25,8 +39,8 @@ uvec4 packSums(LightSums s)
 
 uvec4 packPlace(SumsPlace p, vec2 lobe)
 {
-    return uvec4(packSnorm2x16(p.normal.xy), packSnorm2x16(vec2(p.normal.z, p.share)), floatBitsToUint(p.depth),
-                 packHalf2x16(lobe));
+    uint z = packSnorm2x16(vec2(p.normal.z, 0.0)) | packFacet(p.facet, p.normal) << 16;
+    return uvec4(packSnorm2x16(p.normal.xy), z, floatBitsToUint(p.depth), packHalf2x16(lobe));
 }
 
 LightSums unpackSums(uvec4 sums, uvec4 place)
@@ -37,8 +51,8 @@ LightSums unpackSums(uvec4 sums, uvec4 place)
 
 SumsPlace unpackPlace(uvec4 place)
 {
-    vec2 rest = unpackSnorm2x16(place.y);
-    return SumsPlace(vec3(unpackSnorm2x16(place.x), rest.x), uintBitsToFloat(place.z), rest.y);
+    vec3 normal = vec3(unpackSnorm2x16(place.x), unpackSnorm2x16(place.y).x);
+    return SumsPlace(normal, unpackFacet(place.y >> 16, normal), uintBitsToFloat(place.z));
 }
 
 #endif

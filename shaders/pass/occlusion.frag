@@ -246,5 +246,9 @@ void main()
     }
 #endif
     sumsTexel = packSums(sums);
-    placeTexel = packPlace(SumsPlace(receiver.normal, texelFetch(depthMap, p, 0).r, 1.0), sums.lobe);
+    SumsPlace place;
+    place.normal = receiver.normal;
+    place.facet = pixelFacet(p, receiver.eye, receiver.normal, receiver.footprint);
+    place.depth = texelFetch(depthMap, p, 0).r;
+    placeTexel = packPlace(place, sums.lobe);
 }

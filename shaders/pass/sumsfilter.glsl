@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// One direction of the filter of the lights' sums: a box that is a multiple of the 4x4 cell, which does not cross an edge. Along
-// rows, then along columns of these: as exact as all of the box at once where it is one surface.
+// The filter of the lights' sums along one direction. It averages a whole number of 4x4 cells and does not cross an edge. First
+// rows are filtered, then columns of the result: on one surface that is the mean of the whole box.
 #ifndef SUMSFILTER_GLSL
 #define SUMSFILTER_GLSL
+#pragma import_defines(COMBINE_SUBTRACT)
 
 #include "lib/bilateral.glsl"
 #include "pass/gbuffer.glsl"
@@ -12,12 +13,13 @@ uniform usampler2D sumsMap;
 uniform usampler2D placeMap;
 uniform int filterCells;  // width of the box in cells
 
-// Weighted mean of what lies along the direction (1, 0) or (0, 1); place.share: of all weights that the box has.
-LightSums filteredSums(ivec2 p, ivec2 direction, inout SumsPlace place)
+// Weighted sum of what lies along the direction (1, 0) or (0, 1): of ratios' terms as it is, else as a mean.
+LightSums filteredSums(ivec2 p, ivec2 direction, SumsPlace place)
 {
-    vec3 eye = pixelEye(p);
-    float footprint = pixelFootprint(inverseProjection, pixelNdc(p), place.depth, viewportSize);
-    PixelPlane plane = pixelPlane(eye, pixelFacet(p, eye, pixelNormal(p), footprint), 1.5 * footprint);
+    vec2 ndc = pixelNdc(p);
+    vec3 eye = eyeFromDepth(inverseProjection, ndc, place.depth);
+    float footprint = pixelFootprint(inverseProjection, ndc, place.depth, viewportSize);
+    PixelPlane plane = pixelPlane(eye, place.facet, 1.5 * footprint);
     int halfWidth = 2 * filterCells;
     ivec2 last = ivec2(viewportSize) - 1;
     LightSums mean = LightSums(vec4(0.0), vec4(0.0), vec2(0.0));
@@ -35,9 +37,11 @@ LightSums filteredSums(ivec2 p, ivec2 direction, inout SumsPlace place)
         mean.num += w * s.num;
         mean.den += w * s.den;
         mean.lobe += w * s.lobe;
-        share += w * there.share;
+        share += w;
     } while (++i <= halfWidth);
-    place.share = share;
+#ifdef COMBINE_SUBTRACT
+    mean = LightSums(mean.num / share, mean.den / share, mean.lobe / share);
+#endif
     return mean;
 }
 

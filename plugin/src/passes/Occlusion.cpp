@@ -70,9 +70,10 @@ Requirement FilterRowsPass::require(const FrameContext& c) const
     return filter.because("averages the 16 groups of lights along rows");
 }
 
-void FilterRowsPass::setup(PassBuilder& b, FrameContext&)
+void FilterRowsPass::setup(PassBuilder& b, FrameContext& c)
 {
     b.readGBuffer();
+    b.define("COMBINE_SUBTRACT", c.settings.combine == Settings::SUBTRACT);
     b.read(b.find("light sums"), "sumsMap");
     b.read(b.find("light places"), "placeMap");
     drawSurfaces(b);
