@@ -1,6 +1,6 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// What each pixel sees of the suns, last part, in penumbrae: 16 points of the disc of its own, and the neighbours' two as far as
+// What each pixel sees of the suns, last part, in penumbrae: 16 points of the disc of its own, and the neighbours' one as far as
 // the penumbra is wider than they are apart: contact shadows stay sharp.
 #include "lib/bilateral.glsl"
 #include "pass/sunpoints.glsl"
@@ -29,7 +29,7 @@ float visibilityOf(int sun, ivec2 p)
             float depth = texelFetch(depthMap, q, 0).r;
             if ((x == 0 && y == 0) || q != clamp(q, ivec2(0), last) || depth >= 1.0) continue;
             w *= surfaceWeight(planeDistance(plane, q, depth), dot(n, texelFetch(normalMap, q, 0).xyz * 2.0 - 1.0));
-            sum += 2.0 * w * vec2(seenAt(sun, q).x, 1.0);
+            sum += w * vec2(seenAt(sun, q).x, 1.0);
         }
     return sum.x / sum.y;
 }

@@ -1,6 +1,6 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// What each pixel sees of the suns, first part: by the two points of their discs that are its own in a 4x4 cell. Two suns a
+// What each pixel sees of the suns, first part: by the point of each disc that is its own in a 4x4 cell. Two suns a
 // target: share of the light, width of the penumbra in pixels.
 #include "pass/sunpixel.glsl"
 
@@ -24,7 +24,7 @@ void main()
     if (!isBackground(p)) {
         SunPixel s = sunPixel(p);
         for (int i = 0; i < sunCount; ++i) {
-            vec2 v = sunSeen(i, s, 2);
+            vec2 v = sunSeen(i, s, 1);
             if ((i & 1) == 0)
                 seen[i / 2].xy = v;
             else

@@ -114,7 +114,7 @@ void SunMaps::releaseGLObjects(osg::State* state) const
 
 Requirement SunShadowPass::require(const FrameContext& c) const
 {
-    return requireShadows(c).because("2 points of each disc a pixel");
+    return requireShadows(c).because("a point of each disc a pixel");
 }
 
 void SunShadowPass::setup(PassBuilder& b, FrameContext& c)
