@@ -2,17 +2,16 @@
 // What a frame costs: milliseconds of each pass, against plain OSG drawing the same model in the same run, over the number of
 // triangles and of pixels; against ambient occlusion in its place; and while shadow maps are drawn anew. Least of the frames:
 // the machine may be shared.
+#include <BenchModel.h>
 #include <SceneRenderer.h>
 
 #include <osg/MatrixTransform>
-#include <osgEnvLight/Material>
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 
 using osgEnvLight::LitScene;
-using osgEnvLight::Material;
 using osgEnvLight::Settings;
 
 namespace
@@ -22,36 +21,15 @@ const int size = 512;
 const int frames = 12;
 const int triangles = 100000;
 
-// Sixteen spheres on a plane, with together about that many triangles; a quarter of them metal, a quarter Phong.
-osg::ref_ptr<osg::Group> makeModel(int count)
-{
-    osg::ref_ptr<osg::Group> group = new osg::Group;
-    group->addChild(makeQuad(osg::Vec3d(-5, -5, -0.9), osg::Vec3d(10, 0, 0), osg::Vec3d(0, 10, 0)));
-    const int segments = int(std::sqrt(count / 16.0));
-    for (int i = 0; i < 16; ++i) {
-        osg::ref_ptr<osg::Geode> sphere = makeSphere(osg::Vec3d(-3 + 2 * (i % 4), -3 + 2 * (i / 4), 0), 0.9, segments);
-        osg::StateSet& s = *sphere->getOrCreateStateSet();
-        if (i % 4 == 0) Material::setCookTorrance(s, osg::Vec3f(0.9f, 0.7f, 0.3f), 1.0f, 0.3f);
-        if (i % 4 == 1) Material::setPhong(s, osg::Vec3f(0.4f, 0.1f, 0.1f), osg::Vec3f(0.3f, 0.3f, 0.3f), 60.0f);
-        group->addChild(sphere);
-    }
-    return group;
-}
-
 double least(std::vector<double> v)
 {
     return *std::min_element(v.begin() + 3, v.end());  // the first frames compile and upload
 }
 
-void setUp(SceneRenderer& renderer)
-{
-    renderer.lookAt(osg::Vec3d(1, -11, 7), osg::Vec3d(0, 0, -0.5), osg::Vec3d(0, 0, 1), 35.0);
-}
-
 osg::ref_ptr<LitScene> makeLitModel(int count)
 {
     osg::ref_ptr<LitScene> lit = new LitScene;
-    lit->addChild(makeModel(count));
+    lit->addChild(makeBenchModel(count));
     lit->setTimed(true);
     return lit;
 }
@@ -68,8 +46,8 @@ std::vector<double> settle(SceneRenderer& renderer, LitScene& lit)
 void measure(benchmark::State& state, int width, int height, int count)
 {
     SceneRenderer renderer(width, height);
-    setUp(renderer);
-    osg::ref_ptr<osg::Group> model = makeModel(count);
+    lookAtBenchModel(renderer);
+    osg::ref_ptr<osg::Group> model = makeBenchModel(count);
     osg::ref_ptr<LitScene> lit = makeLitModel(count);
     Settings& s = *lit->getSettings();
     for (auto _ : state) {
@@ -107,7 +85,7 @@ void resolution(benchmark::State& state)
 void refresh(benchmark::State& state)
 {
     SceneRenderer renderer(size, size);
-    setUp(renderer);
+    lookAtBenchModel(renderer);
     osg::ref_ptr<LitScene> lit = makeLitModel(int(state.range(0)));
     osg::ref_ptr<osg::MatrixTransform> mover = new osg::MatrixTransform;
     mover->addChild(makeBox(osg::Vec3d(-0.2, -0.2, 1), osg::Vec3d(0.2, 0.2, 1.4)));
@@ -130,7 +108,7 @@ void refresh(benchmark::State& state)
 void emptyFrame(benchmark::State& state)
 {
     SceneRenderer renderer(size, size);
-    setUp(renderer);
+    lookAtBenchModel(renderer);
     osg::ref_ptr<osg::Group> plain = new osg::Group;
     osg::ref_ptr<LitScene> lit = new LitScene;
     for (auto _ : state) {

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// envlight_frame_study [--against PROGRAM] [OPTION...] [NAME=VALUE...]: what each pass of a still frame takes, in milliseconds, as
-// a table. Beside another build of this program the two draw in turns, so that whatever else the machine does hurts both alike.
+// envlight_frame_study [--against PROGRAM] [OPTION...] [NAME=VALUE...]: a table of the milliseconds that each pass of a still
+// frame takes. Beside another build of this program the two draw in turns: whatever else the machine does slows both.
 //   --size W H       of the picture, 512 512
 //   --triangles N    of the model, 100000
 //   --map FILE       or the name of a built-in map, sky
 //   --frames N       21
-//   --against FILE   the same program of another build: its least time, and the median of the ratios of neighbouring frames
+//   --against FILE   the same program of another build: the least times of both, the median ratio of neighbouring frames
 //   --theirs NAME=VALUE  a setting of that one alone; NAME=VALUE is of both
 //   --fetches        count what each pass of one frame fetches from textures, per pixel of the picture, instead
 //   --serve          draw a frame and print its times for each line that is read
+#include <BenchModel.h>
 #include <SceneRenderer.h>
 
 #include <osg/Group>
 #include <osgDB/ReadFile>
 #include <osgEnvLight/BuiltinMaps>
-#include <osgEnvLight/Material>
 
 #include "Process.h"
 #include "gl/ShaderLibrary.h"
@@ -34,7 +34,6 @@
 #include <unistd.h>
 
 using osgEnvLight::LitScene;
-using osgEnvLight::Material;
 using osgEnvLight::ShaderLibrary;
 
 namespace
@@ -50,22 +49,6 @@ struct Options {
     std::vector<std::string> settings, theirs;
     bool serves = false, counts = false;
 };
-
-// Sixteen spheres on a plane, with together about that many triangles; a quarter of them metal, a quarter Phong.
-osg::ref_ptr<osg::Group> makeModel(int count)
-{
-    osg::ref_ptr<osg::Group> group = new osg::Group;
-    group->addChild(makeQuad(osg::Vec3d(-5, -5, -0.9), osg::Vec3d(10, 0, 0), osg::Vec3d(0, 10, 0)));
-    const int segments = int(std::sqrt(count / 16.0));
-    for (int i = 0; i < 16; ++i) {
-        osg::ref_ptr<osg::Geode> sphere = makeSphere(osg::Vec3d(-3 + 2 * (i % 4), -3 + 2 * (i / 4), 0), 0.9, segments);
-        osg::StateSet& s = *sphere->getOrCreateStateSet();
-        if (i % 4 == 0) Material::setCookTorrance(s, osg::Vec3f(0.9f, 0.7f, 0.3f), 1.0f, 0.3f);
-        if (i % 4 == 1) Material::setPhong(s, osg::Vec3f(0.4f, 0.1f, 0.1f), osg::Vec3f(0.3f, 0.3f, 0.3f), 60.0f);
-        group->addChild(sphere);
-    }
-    return group;
-}
 
 void set(LitScene& lit, const std::string& assignment)
 {
@@ -90,12 +73,12 @@ class View
   public:
     explicit View(const Options& options) : _renderer(options.width, options.height), _lit(new LitScene)
     {
-        _renderer.lookAt(osg::Vec3d(1, -11, 7), osg::Vec3d(0, 0, -0.5), osg::Vec3d(0, 0, 1), 35.0);
+        lookAtBenchModel(_renderer);
         osg::ref_ptr<osg::Image> image = osgEnvLight::createBuiltinMap(options.map);
         if (!image) image = osgDB::readRefImageFile(options.map);
         if (!image) throw std::runtime_error("can't read the map " + options.map);
         _lit->getEnvironmentMap()->setImage(image);
-        _lit->addChild(makeModel(options.triangles));
+        _lit->addChild(makeBenchModel(options.triangles));
         for (const std::string& s : options.settings) set(*_lit, s);
         _lit->setTimed(true);
         for (int i = 0; i < 4 || _lit->regenerating(); ++i) draw();  // compiles, uploads, draws all maps
@@ -160,14 +143,18 @@ class FetchCounters
         std::string head, body, line;
         std::istringstream in(text);
         while (std::getline(in, line)) {
-            const bool first = line.rfind("#version", 0) == 0 || line.rfind("#extension", 0) == 0 || line.rfind("#pragma", 0) == 0;
+            const bool first =
+                line.rfind("#version", 0) == 0 || line.rfind("#extension", 0) == 0 || line.rfind("#pragma", 0) == 0;
             if (line.rfind("#line", 0) != 0) (first ? head : body) += line + "\n";
         }
-        for (const char* extension : {"GL_ARB_shader_storage_buffer_object", "GL_ARB_shading_language_420pack"})
+        for (const char* extension :
+             {"GL_ARB_shader_storage_buffer_object", "GL_ARB_shading_language_420pack", "GL_ARB_shader_image_load_store"})
             head += std::string("#extension ") + extension + " : require\n";
         head += "layout(std430, binding = 0) buffer Fetches { uint fetchCounts[]; };\nint fetches = 0;\n";
         for (const char* look : {"texelFetch(s, p, l)", "textureLod(s, p, l)", "texture(s, p)", "textureProj(s, p)"})
             head += std::string("#define ") + look + " (++fetches, " + look + ")\n";
+        // A shader that writes to a buffer is tested late unless it says otherwise, and pixels without the mark would count.
+        if (body.find("gl_FragDepth") == std::string::npos) body = "layout(early_fragment_tests) in;\n" + body;
         const size_t main = body.find("void main()");
         if (main == std::string::npos) throw std::runtime_error("a pass without void main()");
         body.replace(main, 11, "void fetchingMain()");
@@ -215,8 +202,15 @@ class Server
             dup2(down[0], 0);
             dup2(up[1], 1);
             for (int fd : {down[0], down[1], up[0], up[1]}) close(fd);
-            std::vector<std::string> words = {program,       "--serve", "--size",   std::to_string(o.width), std::to_string(o.height),
-                                              "--triangles", std::to_string(o.triangles), "--map", o.map};
+            std::vector<std::string> words = {program,
+                                              "--serve",
+                                              "--size",
+                                              std::to_string(o.width),
+                                              std::to_string(o.height),
+                                              "--triangles",
+                                              std::to_string(o.triangles),
+                                              "--map",
+                                              o.map};
             for (const auto* list : {&o.settings, &o.theirs}) words.insert(words.end(), list->begin(), list->end());
             std::vector<char*> arguments;
             for (std::string& w : words) arguments.push_back(w.data());
@@ -240,7 +234,8 @@ class Server
     Times draw()
     {
         char line[4096];
-        if (fputs("\n", _to) < 0 || fflush(_to) || !fgets(line, sizeof(line), _from)) throw std::runtime_error("the other build failed");
+        if (fputs("\n", _to) < 0 || fflush(_to) || !fgets(line, sizeof(line), _from))
+            throw std::runtime_error("the other build failed");
         std::istringstream in(line);
         Times times;
         std::pair<std::string, double> t;

@@ -8,7 +8,7 @@ const std::vector<Settings::Preset>& Settings::presets()
 {
     static const std::vector<Preset> all = {
         {"low",
-         "a slow machine: a tenth to a third of the time is saved, the error a tenth to a quarter greater",
+         "a slow machine: a third to half of the time is saved, the error a third greater",
          {{"atlasLights", "64"}, {"nearRadius", "0"}, {"filterCells", "1"}, {"specularSamples", "8"}, {"sunShadowSize", "512"}}},
         {"default", "the knee of error against time", {}},
         {"high",
