@@ -79,7 +79,7 @@ class Views : public testing::Test
 };
 
 // Frames with everything changing; the picture of the last, which is the same however the threads ran.
-osg::ref_ptr<osg::Image> run(osgViewer::ViewerBase::ThreadingModel model, bool twoParents, bool resize)
+osg::ref_ptr<osg::Image> run(osgViewer::ViewerBase::ThreadingModel model, bool twoParents, bool resize, int frames = 40)
 {
     osg::ref_ptr<LitScene> lit = makeScene();
     osg::ref_ptr<osg::Group> root = new osg::Group;
@@ -96,10 +96,9 @@ osg::ref_ptr<osg::Image> run(osgViewer::ViewerBase::ThreadingModel model, bool t
     View b = addView(viewer, context.get(), root.get(), 128, 0, 128, 128, osg::Vec3d(-4, -3, 2));
     viewer.setThreadingModel(model);
     viewer.realize();
-    const int frames = 40;
     for (int i = 0; i < frames; ++i) {
-        lit->getEnvironmentMap()->setIntensity(0.5 + 0.02 * i);
-        lit->getEnvironmentMap()->setRotation(3.0 * i);
+        lit->getEnvironmentMap()->setIntensity(0.5 + 0.02 * (i % 40));
+        lit->getEnvironmentMap()->setRotation(3.0 * (i % 40));
         if (resize && i >= 10 && i < 30) b.view->getCamera()->setViewport(128, 0, 128 - i, 64 + i);
         if (resize && i == 30) b.view->getCamera()->setViewport(128, 0, 128, 128);
         viewer.frame(0.1 * i);
@@ -110,6 +109,21 @@ osg::ref_ptr<osg::Image> run(osgViewer::ViewerBase::ThreadingModel model, bool t
 }
 
 }  // namespace
+
+// What goes wrong once in hundreds of frames.
+TEST_F(Views, AThousandFramesInEveryThreadingModel)
+{
+    using V = osgViewer::ViewerBase;
+    const osg::ref_ptr<osg::Image> expected = run(V::SingleThreaded, false, false, 1000);
+    ASSERT_TRUE(expected);
+    EXPECT_GT(byteRange(*expected), 50);  // not an empty picture
+    for (V::ThreadingModel model :
+         {V::DrawThreadPerContext, V::CullDrawThreadPerContext, V::CullThreadPerCameraDrawThreadPerContext}) {
+        const osg::ref_ptr<osg::Image> image = run(model, false, false, 1000);
+        ASSERT_TRUE(image);
+        EXPECT_EQ(0, largestByteDifference(*expected, *image)) << "model " << model;
+    }
+}
 
 TEST_F(Views, EveryThreadingModelDrawsTheSamePicture)
 {
