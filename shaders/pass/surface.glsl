@@ -179,7 +179,7 @@ Surface readSurface()
     s.brdf = BRDF_PHONG;
     s.f0 = envlightSpecular;
     s.roughness = phongRoughness(envlightExponent);
-#elif defined(PAINTED_REFLECTION)
+#elif defined(PAINTED_REFLECTION) && !defined(ENVLIGHT_MATERIAL)
     s.brdf = BRDF_COOK_TORRANCE;
     s.roughness = PAINTED_ROUGHNESS;
 #ifdef TEXTURE_ADD
