@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Counts that shaders and C++ share: what C++ fills or reads back is as large as shaders take it to be. And marks of pixels.
+// Counts that shaders and C++ share, so that what C++ fills and reads back is as large as shaders take it to be; and pixels' marks.
 #ifndef LIMITS_GLSL
 #define LIMITS_GLSL
 

@@ -112,11 +112,12 @@ bool sunMayMeet(SunReceiver r, vec4 surface, float low, float high)
 }
 
 // How high above the receiver a ray from xy that moves by slope for each unit of height is blocked; negative where it is not.
-// The ray is followed over intervals each longer than the last, so that thin things are missed only where the disc is much
-// wider than they. A surface found at either end of one counts if the ray meets it at its own height - on the ray at that height,
-// and once more where the surface has another there; texels of a slope are steps - or passes through it between them: a sheet's
-// edge is where it is, whatever the intervals, and what passes beneath it goes on.
-// One loop, each turn of which reads one texel: rays that run side by side on the GPU wait for none that does more.
+// The ray is followed over intervals, each longer than the last. It may miss a thing that is much thinner than the disc is wide.
+// A surface found at an end of an interval blocks the ray in two cases. First, the ray meets it at the surface's own height: the
+// texel below the ray at that height is looked up, twice if its surface has another height, since a slope is a row of steps.
+// Second, the ray passes through it within the interval. So a sheet's edge is where it is, whatever the intervals are, and a ray
+// that passes beneath the sheet goes on.
+// Each turn of a loop reads one texel: rays that run side by side on the GPU do not wait for one that does more.
 float sunBlocker(sampler2D sunMaps, SunMap m, SunReceiver r, vec2 xy, vec2 slope)
 {
     float reach = m.heights - r.point.z;

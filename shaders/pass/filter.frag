@@ -1,8 +1,8 @@
 #version 330 compatibility
 #extension GL_ARB_shading_language_packing : require
 // SPDX-License-Identifier: MIT
-// O, last part: the rows' sums filtered along columns, and num divided by den after the filter (systems.md E3); or, as printed in
-// seed 000, the occluded irradiance over pi.
+// O, last part: the rows' sums, filtered along columns. Only then num is divided by den (systems.md E3). With COMBINE_SUBTRACT the
+// result is the occluded irradiance over pi, as printed in seed 000.
 #pragma import_defines(COMBINE_SUBTRACT, HAS_LOBES)
 
 #include "lib/constants.glsl"

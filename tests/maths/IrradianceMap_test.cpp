@@ -76,8 +76,8 @@ std::pair<double, double> errors(const LightList& lights)
 
 }  // namespace
 
-// The error is that of a kink, the light's horizon, between two texels: a quarter of what lies between them. The longest diagonal
-// of a texel is 4.6 radians over the side times the root of 2. Away from kinks it is of second order.
+// The error is greatest at a light's horizon, where irradiance has a kink: bilinear filtering misses a quarter of what it changes
+// by from a texel to the next. The longest diagonal of a texel is 4.6 radians over the side, times the root of 2.
 TEST(IrradianceMap, IsTheSumOverTheList)
 {
     const double texel = 4.6 * std::sqrt(2.0);

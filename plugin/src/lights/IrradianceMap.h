@@ -9,8 +9,8 @@
 namespace osgEnvLight
 {
 
-/** Side of the octahedral map of irradiance from that many lights, without its border. Each light has a kink at its horizon, which
- * bilinear filtering rounds off: few lights need small texels, among many the kinks drown. */
+/** Side of the octahedral map of irradiance from that many lights, without its border. Irradiance has a kink at the horizon of each
+ * light. Bilinear filtering rounds it off, so few strong lights need small texels; many weak ones do not. */
 OSGENVLIGHT_EXPORT unsigned irradianceSide(size_t lights);
 
 /** Irradiance over pi by the normal, times scale: an octahedral map with a border of one texel, bilinear. */

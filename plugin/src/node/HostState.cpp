@@ -79,8 +79,8 @@ void chooseBackground(FrameContext& c, const std::vector<ForwardGraph>& forward)
     c.behind = describeBackground(c, forward);
 }
 
-// The light of a LightSource behind the node in the graph is known only after the cull: that there is one, the frame before says,
-// what it is like, the end of this one's.
+// A LightSource that comes after the node in the graph is met after the node's cull. So the frame before says that there is one,
+// and the end of this frame's cull says what it is like.
 void findLights(FrameContext& c, ViewData& data, const std::vector<ForwardGraph>& forward,
                 const std::function<void(const std::string&)>& report)
 {

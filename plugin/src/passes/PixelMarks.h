@@ -6,7 +6,7 @@
 namespace osgEnvLight
 {
 
-/** Marks the pixels that show a surface, and those of them that have a lobe: other passes draw no pixel that is not concerned. */
+/** Marks the pixels that show a surface, and those of them that have a lobe. Other passes draw only the pixels that they concern. */
 class OSGENVLIGHT_EXPORT PixelMarksPass : public RenderPass
 {
   public:
