@@ -84,10 +84,17 @@ vec3 ggxVisibleNormalSample(vec3 v, float alpha, vec2 u)
     return ggxCapNormal(ggxCap(v, alpha), vec2(cos(phi), sin(phi)), u.y);
 }
 
+// What the densities of all reflections of v share: ggxReflectionPdf() is this over the square of ggxSpread().
+float ggxPdfFactor(float cosV, float rootV, float alpha)
+{
+    return 0.5 * alpha * alpha / (PI * (cosV + rootV));
+}
+
 // Density per solid angle of the direction l that reflects v at a sampled visible normal h: D G1 / (4 v.z).
 float ggxReflectionPdf(vec3 v, vec3 h, float alpha)
 {
-    return 0.5 * ggxD(h, alpha) / (v.z + ggxRoot(v.z, alpha));
+    float d = ggxSpread(h, alpha);
+    return ggxPdfFactor(v.z, ggxRoot(v.z, alpha), alpha) / (d * d);
 }
 
 #endif

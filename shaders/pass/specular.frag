@@ -107,8 +107,7 @@ vec3 cookTorrance(vec3 v, mat3 mapFromLocal, vec3 f0, float roughness)
     if (alpha < MIRROR_ALPHA) return shownLobe() * fresnelSchlick(f0, v.z) * mirror(mapFromLocal * vec3(-v.x, -v.y, v.z));
     GgxCap cap = ggxCap(v, alpha);
     float rootV = ggxRoot(v.z, alpha);
-    // ggxReflectionPdf() is a factor over the square of ggxSpread().
-    float firstLod = lodOfUnitDensity() - 0.5 * log2(0.5 * alpha * alpha / (PI * (v.z + rootV)));
+    float lodOfUnitSpread = lodOfUnitDensity() - 0.5 * log2(ggxPdfFactor(v.z, rootV, alpha));
     vec2 azimuth = firstAzimuth();
     vec2 turn = unitVector(TWO_PI / float(specularSamples));
     vec3 num = vec3(0.0);
@@ -119,7 +118,7 @@ vec3 cookTorrance(vec3 v, mat3 mapFromLocal, vec3 f0, float roughness)
         float c = dot(v, h);
         vec3 l = 2.0 * c * h - v;
         float w = l.z > 0.0 ? ggxUnshadowed(v.z, rootV, l.z, ggxRoot(l.z, alpha)) : 0.0;
-        num += w * fresnelSchlick(f0, c) * filtered(mapFromLocal * l, firstLod + log2(ggxSpread(h, alpha)));
+        num += w * fresnelSchlick(f0, c) * filtered(mapFromLocal * l, lodOfUnitSpread + log2(ggxSpread(h, alpha)));
         den += w;
     }
     vec3 sum = den > 0.0 ? num / den * (single * shownLobe()) : vec3(0.0);
@@ -146,12 +145,13 @@ vec3 phong(vec3 v, mat3 mapFromLocal, vec3 ks, float roughness)
     if (roughness * roughness < MIRROR_ALPHA) return shownLobe() * ks * scale * v.z * mirror(mapFromLocal * r);
     vec2 azimuth = firstAzimuth();
     vec2 turn = unitVector(TWO_PI / float(specularSamples));
+    float unitLod = lodOfUnitDensity();
     vec3 sum = vec3(0.0);
     for (int i = 0; i < specularSamples; ++i) {
         float logU = log(max(1.0 - sampleHeight(i), 1e-30));
         vec3 l = lobe * phongDirection(n, azimuth, logU);
         azimuth = nextAzimuth(azimuth, turn);
-        float lod = lodOfUnitDensity() - 0.5 * phongLogPdf(n, logU) / log(2.0);
+        float lod = unitLod - 0.5 * phongLogPdf(n, logU) / log(2.0);
         sum += max(l.z, 0.0) * filtered(mapFromLocal * l, lod);
     }
     sum *= shownLobe() * scale / float(specularSamples);
