@@ -15,8 +15,6 @@
 #define MOST_SLICES 2
 #elif defined(SLICES_3)
 #define MOST_SLICES 3
-#else
-#define MOST_SLICES 4
 #endif
 
 #include "lib/opensky.glsl"

@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// What each pixel sees of the suns, last part, in penumbrae: 16 points of the disc of its own, and the neighbours' one as far as
-// the penumbra is wider than they are apart: contact shadows stay sharp.
+// What each pixel sees of the suns, last part: in penumbrae. It asks 16 points of the disc. Neighbours add their one point each
+// where the penumbra is wider than their distance, so contact shadows stay sharp.
 #include "lib/bilateral.glsl"
 #include "pass/sunpoints.glsl"
 
@@ -21,7 +21,7 @@ float visibilityOf(int sun, ivec2 p)
     vec3 n = pixelNormal(p);
     vec3 eye = pixelEye(p);
     PixelPlane plane = pixelPlane(eye, pixelFacet(p, eye, n, s.footprint), 1.5 * s.footprint);
-    int most = reach > 0.5 ? reach > 1.5 ? 2 : 1 : 0;
+    int most = reach > 1.5 ? 2 : 1;
     for (int y = -most; y <= most; ++y)
         for (int x = -most; x <= most; ++x) {
             ivec2 q = p + ivec2(x, y);

@@ -136,7 +136,7 @@ Requirement PenumbraPass::require(const FrameContext& c) const
 void PenumbraPass::setup(PassBuilder& b, FrameContext& c)
 {
     if (!c.needsSunMaps()) return;
-    b.readGBuffer();
+    b.read("depth", "depthMap");
     readSunPoints(b, c);
     readSuns(b, c);
     b.mark(b.create("penumbrae", {GL_DEPTH_COMPONENT16}));
