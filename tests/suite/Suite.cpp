@@ -33,7 +33,8 @@ namespace
 
 std::vector<std::pair<std::string, std::string>> settingsOfAllRows;
 
-void apply(Settings& settings, const std::string& name, const std::string& value)
+template <class Value>
+void apply(Settings& settings, const std::string& name, const Value& value)
 {
     std::string error;
     if (!settings.set(name, value, error)) throw std::runtime_error(error);
@@ -183,10 +184,7 @@ class Measurement
         setCamera(scene, variation.orthographic, _renderer);
         _settings.bounce = Settings::BOUNCE_OFF;
         for (const auto& [name, value] : settingsOfAllRows) apply(_settings, name, value);
-        for (const auto& [name, value] : variation.settings) {
-            std::string error;
-            if (!_settings.set(name, value, error)) throw std::runtime_error(error);
-        }
+        for (const auto& [name, value] : variation.settings) apply(_settings, name, value);
     }
 
     void run(Result& r)
