@@ -10,8 +10,8 @@ float cellWeight(int i, int halfWidth)
     return abs(i) == halfWidth ? 0.5 : 1.0;
 }
 
-// Weight of a neighbour for a receiver: by its distance from the receiver's plane, in units that it may be off, and by the cosine
-// of their normals.
+// Weight of a neighbour's surface for a receiver. distance: of the neighbour from the receiver's plane, in units of the distance at
+// which the weight falls to 1/e. cosine: of the angle between their normals.
 float surfaceWeight(float distance, float cosine)
 {
     float c = max(cosine, 0.0);

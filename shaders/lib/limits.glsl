@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Counts that shaders and C++ share, so that what C++ fills and reads back is as large as shaders take it to be; and pixels' marks.
+// What shaders and C++ share: the lengths of arrays and textures that one fills and the other reads, and the marks of pixels.
 #ifndef LIMITS_GLSL
 #define LIMITS_GLSL
 

@@ -48,8 +48,8 @@ float pyramidLevelSide(float baseSide, float level)
     return baseSide * exp2(-level);
 }
 
-// Corner of a level's bordered square in the atlas, in texels, by the level and its side: level 0 at the left, the others stacked
-// right of it. The sum of their sides (s + 2 each) is S (1 - 2^(1-level)) + 2 (level - 1).
+// Corner of a level's bordered square in the atlas, in texels. Level 0 is at the left, the others are stacked right of it. side: of
+// the level. The sum of their sides (s + 2 each) is S (1 - 2^(1-level)) + 2 (level - 1).
 vec2 pyramidCorner(float baseSide, float side, float level)
 {
     if (level < 0.5) return vec2(0.0);

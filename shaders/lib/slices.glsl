@@ -8,7 +8,7 @@
 #include "lib/constants.glsl"
 #include "lib/depth.glsl"
 
-// Slices that a pixel has at most; a pass that knows how many it has defines them before it includes this.
+// Slices of a pixel at most. A pass that is compiled for fewer defines it before it includes this file.
 #ifndef MOST_SLICES
 #define MOST_SLICES 4
 #endif
@@ -52,8 +52,7 @@ struct SlicePlane {
     vec3 across;
 };
 
-// A surface seen on one side of a slice. low, high: the ends of what is known to hide behind it, as
-// of sliceTurn().
+// A surface seen on one side of a slice. low, high: the ends of the angles that it hides, as sliceTurn() gives them.
 struct SliceTap {
     vec3 x;          // eye space
     vec3 normal;     // 0: the background
@@ -89,8 +88,8 @@ float sliceAngle(float y, float x)
     return y < 0.0 ? -angle : angle;
 }
 
-// The angle that direction d, turned into the slice's plane, has to its up, as a number from -1 to 1 that grows with it and takes
-// but a division: the place on the diamond |x| + |y| = 1. side: that of the horizon, -1 or 1, which counts where d is below it.
+// The direction d in the slice's plane as a number that grows with its angle: -1 and 1 are the horizons, 0 is up. It is the place on
+// the diamond |x| + |y| = 1, which costs one division. A direction below the horizon counts as the horizon of that side, -1 or 1.
 float sliceTurn(SlicePlane plane, vec3 d, float side)
 {
     float across = dot(d, plane.across);
@@ -98,7 +97,7 @@ float sliceTurn(SlicePlane plane, vec3 d, float side)
     return up > 0.0 ? across / (abs(across) + up) : side;
 }
 
-// Where that lies between the receiver's horizons, 0 and 1.
+// The share of the half circle between the horizons, 0 to 1, at which such a number lies.
 float turnPosition(float turn)
 {
     float share = 0.25 + sliceArcTangent(2.0 * abs(turn) - 1.0) * INV_PI;  // of pi, to 1e-5

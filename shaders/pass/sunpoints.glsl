@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the pixels about one see of the suns by their own few points [pass/sunshadow.frag].
+// What the pixels about one see of the suns by the one point of each disc that each asks [pass/sunshadow.frag].
 #ifndef SUNPOINTS_GLSL
 #define SUNPOINTS_GLSL
 #pragma import_defines(SUNS_OVER_2, SUNS_OVER_4, SUNS_OVER_6)

@@ -9,9 +9,10 @@
 uniform sampler2D sunShadowMaps; // a row for each sun, the map of the whole scene first
 uniform int sunMapSize;          // of a map, in texels
 uniform int sunShadowLevels;     // maps of a sun
-uniform vec3 sunAxes[3 * MOST_SUNS];        // of each sun across, up, towards it
-uniform vec2 sunHeights[MOST_SUNS];      // lowest and highest point along the third
-uniform vec4 sunLevels[MOST_SUN_LEVELS * MOST_SUNS];      // texels per unit of the world along the first two axes, and the offsets
+uniform vec3 sunAxes[3 * MOST_SUNS]; // of each sun across, up, towards it
+uniform vec2 sunHeights[MOST_SUNS];  // lowest and highest point along the third
+// Of each map of a sun: texels per unit of the world along the first two axes, and the offsets.
+uniform vec4 sunLevels[MOST_SUN_LEVELS * MOST_SUNS];
 
 // A surface in a pixel, in the world about that origin.
 struct SunPixel {
@@ -28,7 +29,8 @@ vec2 sunTexels(vec4 level, int sun, vec3 point)
     return vec2(dot(point, sunAxes[3 * sun]), dot(point, sunAxes[3 * sun + 1])) * level.xy + level.zw;
 }
 
-// The finest map that shows the point, and its own of sunLevels. The border between two is scattered over a sixteenth of their width.
+// The finest map that shows the point; own: its element of sunLevels. Pixels of a cell change from a map to the next at different
+// distances, over a sixteenth of its width, which hides the border.
 SunMap sunMapAt(int sun, SunPixel s, out vec4 own)
 {
     vec4 whole = sunLevels[MOST_SUN_LEVELS * sun];

@@ -4,7 +4,7 @@
 namespace osgEnvLight
 {
 
-/** The counts of shaders/lib/limits.glsl. */
+/** The counts and marks of shaders/lib/limits.glsl. */
 namespace limits
 {
 #include "lib/limits.glsl"

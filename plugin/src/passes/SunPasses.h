@@ -45,7 +45,7 @@ class OSGENVLIGHT_EXPORT SunMaps : public RenderPass
     std::vector<ShadowRefresh> _refreshes;
 };
 
-/** What each pixel sees of the suns: a few points of each disc. */
+/** What each pixel sees of the suns, by one point of each disc. */
 class OSGENVLIGHT_EXPORT SunShadowPass : public RenderPass
 {
   public:
