@@ -7,12 +7,14 @@
 
 #include <dlfcn.h>
 
+#include <atomic>
+
 #include <gtest/gtest.h>
 
 namespace
 {
 
-int askedIntegers = 0;
+std::atomic<int> askedIntegers{0};  // threads of other tests ask too
 int askedStatus = 0;
 decltype(osg::GLExtensions::glCheckFramebufferStatus) driversStatus = nullptr;
 
