@@ -30,7 +30,7 @@ void addOptions(CommandLine& line, Arguments& a)
     line.add("--term", a.term, "an intermediate instead of the picture: diffuse, specular, occlusion, albedo, normal, depth ...");
     line.add("--frames", a.frames,
              "let the still picture converge (accumulate=on) over so many frames: the first is the normal one, each further "
-             "one adds 16 lights with shadow maps of their own")
+             "one adds 64 lights with shadow maps of their own")
         .within(1, 65536);
     line.add("--error", a.error,
              "let it converge until its estimated standard error is this share of its mean, or for --frames, or 4096, frames")

@@ -1,6 +1,6 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// One frame of a still view: 16 fresh lights of the map, each with a shadow map of its own, shade the whole BRDF of every pixel
+// One frame of a still view: fresh lights of the map, each with a shadow map of its own, shade the whole BRDF of every pixel
 // [occlusion.md 5.1]. Their average over the frames is direct light with the visibility of each direction.
 // D = num + V (U - den): U, the term D, is free of their noise, and V is how much of it to trust, a constant of the
 // view; whatever it is, the mean stays num. S - O_S likewise with V = 1: where nothing is in the way there is no noise.
@@ -78,8 +78,9 @@ vec3 surface(ivec2 p)
     vec3 num = vec3(0.0);
     vec3 den = vec3(0.0);
     vec3 kept = vec3(0.0);  // from the lobe
-    for (int group = 0; group < 16; ++group) {
-        AtlasLight light = atlasLight(group, 0);
+    int lights = textureSize(atlasLightMap, 0).x * LIGHT_GROUPS;
+    for (int i = 0; i < lights; ++i) {
+        AtlasLight light = atlasLight(i % LIGHT_GROUPS, i / LIGHT_GROUPS);
         vec3 direction = transpose(mat3(atlasFromEye)) * light.direction;
         float c = dot(n, direction);
         if (c <= 0.0) continue;

@@ -64,6 +64,19 @@ TEST(MapSequence, ConvergesFasterThanChance)
     }
 }
 
+TEST(MapSequence, BeginsAnew)
+{
+    const auto map = radianceOf(makeMap(64, 32, [](const vec3& d) { return vec3(2.0 + d.z, 1.0, 1.0); }));
+    MapSequence sequence(*map);
+    const osgEnvLight::LightList first = sequence.next(7);
+    sequence.restart();
+    const osgEnvLight::LightList again = sequence.next(7);
+    for (size_t i = 0; i < 7; ++i) {
+        EXPECT_EQ(first[i].direction, again[i].direction);
+        EXPECT_EQ(first[i].flux, again[i].flux);
+    }
+}
+
 TEST(MapSequence, ABlackMapHasOnlyDarkLights)
 {
     const auto map = radianceOf(makeMap(8, 4, [](const vec3&) { return vec3(0.0); }));

@@ -84,6 +84,19 @@ void room(SuiteScene& scene)
     see(scene, Vec3d(1.7, -1.8, 1.6), Vec3d(-0.8, 0.9, 1.0), 65.0);
 }
 
+// A room that is lit through a slot in its roof alone.
+void slot(SuiteScene& scene)
+{
+    const Vec3f white(0.8f, 0.8f, 0.78f);
+    scene.add(block(Vec3d(-2.2, -2.2, -0.2), Vec3d(2.2, 2.2, 0), Vec3f(0.5f, 0.35f, 0.2f)));
+    for (double y : {-2.2, 2.0}) scene.add(block(Vec3d(-2.2, y, 0), Vec3d(2.2, y + 0.2, 2.6), white));
+    for (double x : {-2.2, 2.0}) scene.add(block(Vec3d(x, -2, 0), Vec3d(x + 0.2, 2, 2.6), white));
+    scene.add(block(Vec3d(-2.2, -2.2, 2.6), Vec3d(2.2, -0.2, 2.8), white));
+    scene.add(block(Vec3d(-2.2, 0.2, 2.6), Vec3d(2.2, 2.2, 2.8), white));
+    scene.add(block(Vec3d(-0.9, 0.6, 0), Vec3d(0.3, 1.4, 0.75), Vec3f(0.3f, 0.4f, 0.6f)));
+    see(scene, Vec3d(1.7, -1.8, 1.6), Vec3d(-0.8, 0.9, 0.6), 65.0);
+}
+
 void stairs(SuiteScene& scene)
 {
     scene.add(ground(8));
@@ -214,7 +227,7 @@ void knot(SuiteScene& scene)
 void buildScene(const std::string& name, SuiteScene& scene)
 {
     static const std::map<std::string, void (*)(SuiteScene&)> builders = {
-        {"wall", wall},     {"post", post},       {"room", room},   {"stairs", stairs},
+        {"wall", wall},     {"post", post},       {"room", room},   {"slot", slot}, {"stairs", stairs},
         {"canopy", canopy}, {"foliage", foliage}, {"gloss", gloss}, {"knot", knot}};
     const auto builder = builders.find(name);
     if (builder != builders.end()) builder->second(scene);

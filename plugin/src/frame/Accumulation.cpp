@@ -18,8 +18,6 @@ namespace osgEnvLight
 namespace
 {
 
-const unsigned firstMapSize = 256;
-
 // A number of all that is fed to it.
 class Mixer
 {
@@ -153,16 +151,15 @@ bool Accumulation::Key::operator==(const Key& o) const
 void Accumulation::advance(const Key& key, bool still, const RadianceMap& map)
 {
     if (_run == 0 || !still || !(key == _key))
-        begin(key, map);
+        begin(key);
     else
-        add();
+        add(map);
 }
 
-void Accumulation::begin(const Key& key, const RadianceMap& map)
+void Accumulation::begin(const Key& key)
 {
-    // A moving view's sequence is not needed until it stands.
     if (_key.textures != key.textures) _sequence.reset();
-    if (_frames > 0 || !_sequence) _sequence.emplace(map);
+    if (_sequence) _sequence->restart();
     _key = key;
     _frames = 0;
     _adds = false;
@@ -172,15 +169,15 @@ void Accumulation::begin(const Key& key, const RadianceMap& map)
     _error = -1.0;
 }
 
-void Accumulation::add()
+void Accumulation::add(const RadianceMap& map)
 {
     _adds = _frames < unsigned(_key.settings->accumulateFrames);
     if (!_adds) return;
     ++_frames;
-    _lights = _sequence->next(lightsPerFrame);
+    if (!_sequence) _sequence.emplace(map);
+    _lights = _sequence->next((unsigned(_key.settings->accumulateLights) + 15) / 16 * 16);
     const unsigned largest = unsigned(_key.settings->accumulateSize);
-    _mapSize = std::min(firstMapSize, largest);
-    for (unsigned from = 4; _frames >= from && 2 * _mapSize <= largest; from *= 4) _mapSize *= 2;
+    _mapSize = _frames < fadeFrames ? std::max(largest / 2, 1u) : largest;
     _weight = std::sqrt(double(_mapSize) / largest);  // the error of a map falls like that
     _weightSum += _weight;
     _squareSum += _weight * _weight;

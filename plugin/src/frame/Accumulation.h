@@ -44,10 +44,8 @@ class OSGENVLIGHT_EXPORT Accumulation : public osg::Referenced
         bool operator==(const Key& other) const;
     };
 
-    /** Lights of a frame: one in each group of a ShadowAtlas. */
-    static constexpr unsigned lightsPerFrame = 16;
     /** Frames over which the picture goes over from the normal one to the average. */
-    static constexpr unsigned fadeFrames = 32;
+    static constexpr unsigned fadeFrames = 16;
 
     /** A frame of this key. It adds to the average if it stands still since the last one, and the average has fewer frames than
      * Settings::accumulateFrames; the first frame of a key is the normal one. */
@@ -58,9 +56,11 @@ class OSGENVLIGHT_EXPORT Accumulation : public osg::Referenced
     /** Whether this frame adds to it. */
     bool adds() const { return _adds; }
 
-    /** This frame's lights, in the map's frame. */
+    /** This frame's lights, in the map's frame: as many as Settings::accumulateLights. */
     const LightList& lights() const { return _lights; }
-    /** Side of its shadow maps: twice as large whenever the frames have grown fourfold. */
+    /** Those of all frames. */
+    unsigned lightCount() const { return _frames * unsigned(_lights.size()); }
+    /** Side of its shadow maps: half as large in the first frames, when what few lights do hides what coarse maps do. */
     unsigned mapSize() const { return _mapSize; }
     /** The frame's weight: coarse maps count for less. */
     double weight() const { return _weight; }
@@ -82,8 +82,8 @@ class OSGENVLIGHT_EXPORT Accumulation : public osg::Referenced
     ~Accumulation() override = default;
 
   private:
-    void begin(const Key& key, const RadianceMap& map);
-    void add();
+    void begin(const Key& key);
+    void add(const RadianceMap& map);
 
     Key _key;
     std::optional<MapSequence> _sequence;

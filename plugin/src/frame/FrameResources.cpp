@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "frame/FrameResources.h"
 
+#include "base/R2Points.h"
+
 #include <utility>
 
 namespace osgEnvLight

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lights/MapSequence.h"
 
+#include "base/R2Points.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -29,8 +31,8 @@ Place find(const std::vector<double>& sums, double target)
 
 }  // namespace
 
-MapDistribution::MapDistribution(const RadianceMap& map, double floor)
-    : _map(&map), _floor(floor), _rows(size_t(map.height) + 1, 0.0), _columns(size_t(map.width) + 1, 0.0)
+MapDistribution::MapDistribution(const RadianceMap& map, double floor, double exponent)
+    : _map(&map), _floor(floor), _exponent(exponent), _rows(size_t(map.height) + 1, 0.0), _columns(size_t(map.width) + 1, 0.0)
 {
     const glsl::vec2 size(map.width, map.height);
     for (int y = 0; y < map.height; ++y) {
@@ -43,7 +45,8 @@ MapDistribution::MapDistribution(const RadianceMap& map, double floor)
 double MapDistribution::deciding(int x, int y) const
 {
     const float* t = _map->texel(x, y);
-    return double(t[0]) + double(t[1]) + double(t[2]) + 3.0 * _floor;
+    const double radiance = double(t[0]) + double(t[1]) + double(t[2]) + 3.0 * _floor;
+    return _exponent == 1.0 ? radiance : std::pow(radiance, _exponent);
 }
 
 DirectionalLight MapDistribution::at(const osg::Vec2d& u)
@@ -75,14 +78,6 @@ LightList MapSequence::next(unsigned count)
         lights.back().flux /= count;
     }
     return lights;
-}
-
-osg::Vec2d r2Point(unsigned i)
-{
-    // 1/g^2 and 1/g, g^3 = g + 1: the better one goes round a map, where walls cut more than over its height.
-    const double x = 0.5 + 0.5698402909980532 * i;
-    const double y = 0.5 + 0.7548776662466927 * i;
-    return osg::Vec2d(x - std::floor(x), y - std::floor(y));
 }
 
 }  // namespace osgEnvLight

@@ -311,7 +311,7 @@ Average DeferredTechnique::average() const
     osg::ref_ptr<LitView> view;
     if (!_lastView.lock(view) || !view->still) return Average();
     const Accumulation& still = *view->still;
-    return {still.frames(), still.frames() * Accumulation::lightsPerFrame, still.standardError()};
+    return {still.frames(), still.lightCount(), still.standardError()};
 }
 
 size_t DeferredTechnique::bytes() const

@@ -2,6 +2,7 @@
 #include "passes/StillView.h"
 
 #include "base/Limits.h"
+#include "base/R2Points.h"
 #include "passes/Inputs.h"
 
 #include <osgUtil/CullVisitor>
@@ -76,7 +77,7 @@ std::string describe(const Accumulation& a, const Settings& settings)
 {
     if (a.frames() == 0) return "begins when nothing moves";
     return "frame " + std::to_string(a.frames()) + " of " + std::to_string(settings.accumulateFrames) + ", " +
-           std::to_string(a.frames() * Accumulation::lightsPerFrame) + " lights, maps of " + std::to_string(a.mapSize()) + " x " +
+           std::to_string(a.lightCount()) + " lights, maps of " + std::to_string(a.mapSize()) + " x " +
            std::to_string(a.mapSize());
 }
 
@@ -84,7 +85,7 @@ std::string describe(const Accumulation& a, const Settings& settings)
 
 Requirement StillView::require(const FrameContext& c) const
 {
-    return requireStill(c).because("16 lights a frame while nothing moves");
+    return requireStill(c).because(std::to_string(c.settings.accumulateLights) + " lights a frame while nothing moves");
 }
 
 void StillView::update(FrameContext& c)
@@ -108,11 +109,11 @@ void StillView::update(FrameContext& c)
 ShadowAtlas& StillView::updateMaps(const FrameContext& c, AtlasOwner& owner, const ShadowAtlas* near) const
 {
     const Accumulation& a = *_accumulation;
-    ShadowAtlas& maps = owner.make(Accumulation::lightsPerFrame, a.mapSize());
+    ShadowAtlas& maps = owner.make(unsigned(a.lights().size()), a.mapSize());
     if (near) maps.setFocus(near->focus());
     maps.turn(a.frames());
     maps.setCasters(c.casters);
-    owner.update(c, a.lights(), Accumulation::lightsPerFrame);
+    owner.update(c, a.lights(), maps.lights);
     return maps;
 }
 

@@ -7,7 +7,7 @@
 namespace osgEnvLight
 {
 
-/** Follows whether a view stands still; then each frame has 16 fresh lights of the map, each with a shadow map of its own. */
+/** Follows whether a view stands still; then each frame has fresh lights of the map, each with a shadow map of its own. */
 class OSGENVLIGHT_EXPORT StillView : public RenderPass
 {
   public:

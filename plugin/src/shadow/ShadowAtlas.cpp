@@ -2,8 +2,8 @@
 #include "shadow/ShadowAtlas.h"
 
 #include "base/Limits.h"
+#include "base/R2Points.h"
 
-#include "lights/MapSequence.h"
 #include "lights/SolidAngles.h"
 
 #include <algorithm>
