@@ -85,8 +85,11 @@ inline vec4 textureLod(const sampler2D& s, vec2 st, double)
 
 // Confined to these lines, after every standard header: GLSL's float is the oracle's double.
 #define float double
+#define HAS_PHONG
+#define HAS_COOK_TORRANCE
 #include "lib/atlas.glsl"
 #include "lib/bilateral.glsl"
+#include "lib/bsdf.glsl"
 #include "lib/bulge.glsl"
 #include "lib/constants.glsl"
 #include "lib/depth.glsl"
@@ -106,6 +109,8 @@ inline vec4 textureLod(const sampler2D& s, vec2 st, double)
 #include "lib/tone.glsl"
 #include "lib/visibility.glsl"
 #undef float
+#undef HAS_PHONG
+#undef HAS_COOK_TORRANCE
 
 } // namespace
 } // namespace glsl

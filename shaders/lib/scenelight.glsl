@@ -4,10 +4,8 @@
 #ifndef SCENELIGHT_GLSL
 #define SCENELIGHT_GLSL
 
+#include "lib/bsdf.glsl"
 #include "lib/constants.glsl"
-#include "lib/fresnel.glsl"
-#include "lib/ggx.glsl"
-#include "lib/phong.glsl"
 
 // k: constant, linear, quadratic.
 float lightAttenuation(vec3 k, float distance)
@@ -35,18 +33,10 @@ vec3 lightLambert(vec3 albedo, vec3 l)
     return albedo * max(l.z, 0.0);
 }
 
-vec3 lightPhong(vec3 ks, vec3 v, vec3 l, float roughness)
+vec3 lightLobe(Bsdf b, vec3 v, vec3 l)
 {
-    vec3 r = vec3(-v.x, -v.y, v.z);
-    return ks * (PI * phongBrdf(r, l, phongExponent(lightRoughness(roughness))) * max(l.z, 0.0));
-}
-
-// energy: what single scattering loses, pass/albedo.glsl.
-vec3 lightCookTorrance(vec3 f0, vec3 energy, vec3 v, vec3 l, float roughness)
-{
-    float r = lightRoughness(roughness);
-    if (l.z <= 0.0) return vec3(0.0);
-    return energy * fresnelSchlick(f0, dot(normalize(v + l), v)) * (PI * ggxBrdf(v, l, r * r) * l.z);
+    b.roughness = lightRoughness(b.roughness);
+    return bsdfLobe(b, v, l) * (PI * max(l.z, 0.0));
 }
 
 #endif

@@ -4,12 +4,8 @@
 // [occlusion.md 5.1]. Their average over the frames is direct light with the visibility of each direction.
 // D = num + V (U - den): U, the term D, is free of their noise, and V is how much of it to trust, a constant of the
 // view; whatever it is, the mean stays num. S - O_S likewise with V = 1: where nothing is in the way there is no noise.
-#pragma import_defines(HAS_PHONG, HAS_COOK_TORRANCE)
 
 #include "lib/frame.glsl"
-#include "lib/fresnel.glsl"
-#include "lib/ggx.glsl"
-#include "lib/phong.glsl"
 #include "lib/tone.glsl"
 #include "pass/albedo.glsl"
 #include "pass/atlas.glsl"
@@ -26,46 +22,19 @@ const vec2 MIRROR_FADE = vec2(0.04, 0.1);
 struct Lobe {
     mat3 eyeFromLocal;
     vec3 v;
-    vec3 f0;
-    vec3 energy;
-    float roughness;
+    Bsdf bsdf;
     float share;  // that the lights shade
-    int brdf;
 };
 
 Lobe lobeAt(ivec2 p, vec3 n)
 {
     Lobe lobe;
-    lobe.brdf = pixelBrdf(p);
-    lobe.f0 = texelFetch(specularMap, p, 0).rgb;
-    lobe.roughness = texelFetch(normalMap, p, 0).a;
+    float roughness = texelFetch(normalMap, p, 0).a;
     lobe.eyeFromLocal = frameAround(n);
     lobe.v = pixelView(p, lobe.eyeFromLocal);
-    lobe.share = smoothstep(MIRROR_FADE.x, MIRROR_FADE.y, lobe.roughness * lobe.roughness);
-    lobe.energy = vec3(1.0);
-#ifdef HAS_COOK_TORRANCE
-    if (lobe.brdf == BRDF_COOK_TORRANCE) {
-        vec2 table = lobeAlbedo(lobe.roughness, lobe.v.z);
-        lobe.energy = multipleScattering(lobe.f0, table.x + table.y);
-    }
-#endif
+    lobe.bsdf = bsdfOf(pixelBrdf(p), texelFetch(specularMap, p, 0).rgb, roughness, lobe.v.z);
+    lobe.share = smoothstep(MIRROR_FADE.x, MIRROR_FADE.y, roughness * roughness);
     return lobe;
-}
-
-vec3 glossy(Lobe lobe, vec3 direction)
-{
-    vec3 l = transpose(lobe.eyeFromLocal) * direction;
-#ifdef HAS_COOK_TORRANCE
-    if (lobe.brdf == BRDF_COOK_TORRANCE) {
-        vec3 f = fresnelSchlick(lobe.f0, dot(normalize(lobe.v + l), lobe.v));
-        return lobe.energy * f * ggxBrdf(lobe.v, l, lobe.roughness * lobe.roughness);
-    }
-#endif
-#ifdef HAS_PHONG
-    if (lobe.brdf == BRDF_PHONG)
-        return lobe.f0 * phongBrdf(vec3(-lobe.v.x, -lobe.v.y, lobe.v.z), l, phongExponent(lobe.roughness));
-#endif
-    return vec3(0.0);
 }
 
 vec3 surface(ivec2 p)
@@ -74,7 +43,7 @@ vec3 surface(ivec2 p)
     vec3 point = vec3(atlasFromEye * vec4(pixelEye(p), 1.0));
     vec3 normal = mat3(atlasFromEye) * n;
     Lobe lobe = lobeAt(p, n);
-    bool isGlossy = lobe.brdf != BRDF_LAMBERT && lobe.share > 0.0;
+    bool isGlossy = lobe.bsdf.brdf != BRDF_LAMBERT && lobe.share > 0.0;
     vec3 num = vec3(0.0);
     vec3 den = vec3(0.0);
     vec3 kept = vec3(0.0);  // from the lobe
@@ -89,7 +58,7 @@ vec3 surface(ivec2 p)
         if (atlasSees(light, point, normal, c) > 0.5)
             num += e;
         else if (isGlossy)
-            kept += e * glossy(lobe, direction);
+            kept += e * bsdfLobe(lobe.bsdf, lobe.v, transpose(lobe.eyeFromLocal) * direction);
     }
     vec3 rho = texelFetch(albedoMap, p, 0).rgb * texelFetch(diffuseTermMap, p, 0).a * (INV_PI * radianceScale);
     vec3 diffuse = rho * num + ambientVisibility(p) * (diffuseTerm(p) + sunDiffuse(p) - rho * den);

@@ -3,6 +3,8 @@
 #ifndef ALBEDO_GLSL
 #define ALBEDO_GLSL
 
+#include "lib/bsdf.glsl"
+
 uniform sampler2D albedoTable;
 
 vec2 lobeAlbedo(float roughness, float cosV)
@@ -12,12 +14,14 @@ vec2 lobeAlbedo(float roughness, float cosV)
     return textureLod(albedoTable, (st * (n - 1.0) + 0.5) / n, 0.0).rg;
 }
 
-// Factor for what a single bounce between microfacets loses: specular.md, 7.
-vec3 multipleScattering(vec3 f0, float single)
+// The Bsdf of a surface seen under cosV.
+Bsdf bsdfOf(int brdf, vec3 f0, float roughness, float cosV)
 {
-    float e = clamp(single, 0.01, 1.0);
-    float p = 1.0 + 1.1 * (1.0 - e) * (1.0 - e);
-    return 1.0 + pow(max(f0, vec3(1e-6)), vec3(p)) * (1.0 / e - 1.0);
+    vec2 table = vec2(0.0);
+#ifdef HAS_COOK_TORRANCE
+    if (brdf == BRDF_COOK_TORRANCE) table = lobeAlbedo(roughness, cosV);
+#endif
+    return makeBsdf(brdf, f0, roughness, table);
 }
 
 #endif

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // D: the diffuse term without occlusion, rho/pi times the integral of L cos [seed 000, eq. 3, second term], from
 // spherical harmonics of the map or from the irradiance of its importance-sampled lights. Radiance in units of the map's mean.
-#pragma import_defines(DIFFUSE_SH_9, DIFFUSE_SH_18, HAS_COOK_TORRANCE, HAS_SUNS, HAS_SUN_SHADOWS)
+#pragma import_defines(DIFFUSE_SH_9, DIFFUSE_SH_18, HAS_SUNS, HAS_SUN_SHADOWS)
 
 #include "lib/constants.glsl"
 #include "lib/octahedral.glsl"
@@ -56,13 +56,10 @@ void main()
     float share = 1.0;  // of the albedo that diffuse light meets
 #ifdef HAS_COOK_TORRANCE
     // What the lobe reflects never reaches the layer below.
-    if (pixelBrdf(p) == BRDF_COOK_TORRANCE) {
-        vec3 f0 = texelFetch(specularMap, p, 0).rgb;
-        vec2 e = lobeAlbedo(texelFetch(normalMap, p, 0).a, -dot(n, viewRay(inverseProjection, pixelNdc(p))));
-        vec3 left = max(1.0 - (f0 * e.x + e.y) * multipleScattering(f0, e.x + e.y), vec3(0.0));
-        rho *= left;
-        share = dot(left, vec3(1.0 / 3.0));
-    }
+    Bsdf b = bsdfOf(pixelBrdf(p), texelFetch(specularMap, p, 0).rgb, texelFetch(normalMap, p, 0).a,
+                    -dot(n, viewRay(inverseProjection, pixelNdc(p))));
+    rho *= b.body;
+    share = dot(b.body, vec3(1.0 / 3.0));
 #endif
     if (max(rho.r, max(rho.g, rho.b)) <= 0.0) return;
     vec3 mapNormal = mapFromEye * n;

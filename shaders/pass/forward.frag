@@ -6,8 +6,6 @@
 #pragma import_defines(HAS_SUNS, SUN_DIFFUSE, HAS_ATLAS, HAS_SUN_MAPS, HAS_BOUNCE, HAS_SCENE_LIGHTS)
 
 #include "lib/frame.glsl"
-#include "lib/fresnel.glsl"
-#include "lib/ggx.glsl"
 #include "lib/limits.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/sequence.glsl"
@@ -114,7 +112,7 @@ float sunShare(int sun, Surface s)
 
 #ifdef HAS_SCENE_LIGHTS
 // What the surface's lobe sends to the eye of the application's lights, and what its Lambert layer receives, over pi.
-void addSceneLights(Surface s, vec3 energy, inout vec3 glint, inout vec3 received)
+void addSceneLights(Surface s, Bsdf b, inout vec3 glint, inout vec3 received)
 {
     mat3 eyeFromLocal = frameAround(s.normal);
     vec3 v = -s.ray * eyeFromLocal;
@@ -125,8 +123,7 @@ void addSceneLights(Surface s, vec3 energy, inout vec3 glint, inout vec3 receive
         vec3 light = sceneLightAt(i, eyePosition, direction);
         vec3 l = direction * eyeFromLocal;
         received += light * lightLambert(vec3(1.0), l);
-        if (s.brdf == BRDF_PHONG) glint += light * lightPhong(s.f0, v, l, s.roughness);
-        if (s.brdf == BRDF_COOK_TORRANCE) glint += light * lightCookTorrance(s.f0, energy, v, l, s.roughness);
+        glint += light * lightLobe(b, v, l);
     }
 }
 #endif
@@ -136,8 +133,8 @@ void main()
     Surface s = readSurface();
     vec3 v = -s.ray;
     float cosV = max(dot(s.normal, v), 1e-4);
+    Bsdf b = bsdfOf(s.brdf, s.f0, s.roughness, cosV);
     vec3 radiance = s.emission;
-    vec3 through = vec3(1.0);
     float alpha = s.alpha;
     vec3 mapNormal = mapFromEyeForward * s.normal;
     SkySeen seen = skySeen(s);
@@ -158,23 +155,19 @@ void main()
     vec3 sceneGlint = vec3(0.0);
     vec3 sceneReceived = vec3(0.0);
 #ifdef HAS_SCENE_LIGHTS
-    vec2 albedo = s.brdf == BRDF_COOK_TORRANCE ? lobeAlbedo(s.roughness, cosV) : vec2(1.0, 0.0);
-    addSceneLights(s, multipleScattering(s.f0, albedo.x + albedo.y), sceneGlint, sceneReceived);
+    addSceneLights(s, b, sceneGlint, sceneReceived);
 #endif
     if (s.brdf != BRDF_LAMBERT) {
-        vec2 e = s.brdf == BRDF_COOK_TORRANCE ? lobeAlbedo(s.roughness, cosV) : vec2(1.0, 0.0);
-        vec3 reflected = s.f0 * e.x + e.y;
         // Half of a GGX lobe's energy lies within a cone of about tan = alpha.
         float lod = log2(max(s.roughness * s.roughness * pyramidSide, 1.0));
         vec3 r = reflect(s.ray, s.normal);
         vec3 mirrored = pyramidLookup(pyramidMap, pyramidSide, pyramidLastLevel, mapFromEyeForward * r, lod) * seen.lobe;
-        vec3 glint = reflected * (mirrored + sunGlint) * radianceScale + sceneGlint;
+        vec3 glint = b.reflected * (mirrored + sunGlint) * radianceScale + sceneGlint;
 #ifdef HAS_BOUNCE
-        glint += reflected * (1.0 - seen.lobe) * meanRadiance(r);
+        glint += b.reflected * (1.0 - seen.lobe) * meanRadiance(r);
 #endif
-        through = 1.0 - min(reflected, vec3(1.0));
         // A reflection does not fade with the body's transparency: blending multiplies by alpha, so alpha rises with it.
-        float strength = max(reflected.r, max(reflected.g, reflected.b));
+        float strength = max(b.reflected.r, max(b.reflected.g, b.reflected.b));
         alpha = mix(s.alpha, 1.0, clamp(strength, 0.0, 1.0));
         radiance += glint / max(alpha, 1e-3);
     }
@@ -182,6 +175,6 @@ void main()
 #ifdef HAS_BOUNCE
     received += (1.0 - seen.ambient) * meanRadiance(s.normal);
 #endif
-    radiance += s.albedo * received * through * (s.alpha / max(alpha, 1e-3));
+    radiance += s.albedo * received * b.body * (s.alpha / max(alpha, 1e-3));
     color = vec4(display(radiance, ivec2(gl_FragCoord.xy)), alpha);
 }

@@ -3,8 +3,8 @@
 #ifndef GBUFFER_GLSL
 #define GBUFFER_GLSL
 
+#include "lib/brdfs.glsl"
 #include "lib/depth.glsl"
-#include "pass/brdf.glsl"
 
 uniform sampler2D albedoMap;
 uniform sampler2D normalMap;

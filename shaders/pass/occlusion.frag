@@ -17,6 +17,7 @@
 #define MOST_SLICES 3
 #endif
 
+#include "lib/ggx.glsl"
 #include "lib/opensky.glsl"
 #include "lib/sequence.glsl"
 #include "lib/slices.glsl"

@@ -3,7 +3,7 @@
 // S: the glossy term, the integral of L f_H cos [seed 000, eq. 3, first term], by filtered importance sampling
 // [Colbert, Krivanek 2008]: directions from the BRDF, each look-up as wide as the sample's share of the lobe.
 // Radiance in units of the map's mean.
-#pragma import_defines(HAS_PHONG, HAS_COOK_TORRANCE, HAS_SUNS, HAS_LOBES, LOBES_UNOCCLUDED)
+#pragma import_defines(HAS_SUNS, HAS_LOBES, LOBES_UNOCCLUDED)
 
 #include "lib/frame.glsl"
 #include "lib/fresnel.glsl"
@@ -100,9 +100,9 @@ vec3 cookTorrance(vec3 v, mat3 mapFromLocal, vec3 f0, float roughness)
     float alpha = roughness * roughness;
     vec2 table = lobeAlbedo(roughness, v.z);
     float single = table.x + table.y;
-    vec3 energy = multipleScattering(f0, single);
+    Bsdf b = makeBsdf(BRDF_COOK_TORRANCE, f0, roughness, table);
 #ifdef HAS_LOBES
-    blockedLobe = vec4((1.0 - lobeSeen()) * energy * (f0 * table.x + table.y), 0.0);
+    blockedLobe = vec4((1.0 - lobeSeen()) * b.reflected, 0.0);
 #endif
     if (alpha < MIRROR_ALPHA) return shownLobe() * fresnelSchlick(f0, v.z) * mirror(mapFromLocal * vec3(-v.x, -v.y, v.z));
     GgxCap cap = ggxCap(v, alpha);
@@ -128,7 +128,7 @@ vec3 cookTorrance(vec3 v, mat3 mapFromLocal, vec3 f0, float roughness)
         sum += sunVisibility(i) * sunRadiance[i] * fresnelSchlick(f0, dot(normalize(v + s), v)) * ggxDisc(s, v, alpha, sunRadius[i]);
     }
 #endif
-    return sum * energy;
+    return sum * b.energy;
 }
 #endif
 

@@ -5,11 +5,11 @@
 #define SURFACE_GLSL
 #pragma import_defines(HAS_SUN_MAPS, ENVLIGHT_COOK_TORRANCE, ENVLIGHT_LAMBERT, ENVLIGHT_PHONG, FACE_NORMAL, VERTEX_COLOR, UNLIT, NO_TEXTURE, LINEAR_TEXTURE, ALPHA_TEXTURE, TEXTURE_REPLACE, TEXTURE_DECAL, TEXTURE_BLEND, TEXTURE_ADD, PAINTED_REFLECTION, PHONG_MATERIAL, TWO_SIDED)
 
+#include "lib/brdfs.glsl"
 #include "lib/bulge.glsl"
 #include "lib/depth.glsl"
 #include "lib/phong.glsl"
 #include "lib/tone.glsl"
-#include "pass/brdf.glsl"
 #include "pass/hostcolor.glsl"
 
 uniform sampler2D baseColorMap;

@@ -163,6 +163,21 @@ TEST(parity, fresnelSchlick)
         [](auto& in) { return vec4(glsl::fresnelSchlick(vec3(in[0]), in[0].w), 0); }, within(5e-7));
 }
 
+TEST(parity, bsdfLobe)
+{
+    for (const int brdf : {BRDF_PHONG, BRDF_COOK_TORRANCE}) {
+        const std::string made = "makeBsdf(" + std::to_string(brdf) + ", vec3(0.9, 0.5, 0.04), 0.5, vec2(0.7, 0.1))";
+        expectParity(
+            {"lib/bsdf.glsl"}, "result = vec4(bsdfLobe(" + made + ", normalize(vec3(0.3, -0.2, 0.8)), a.xyz), 0.0);",
+            rowsOf(directions(1000, 61)),
+            [brdf](auto& in) {
+                const glsl::Bsdf b = glsl::makeBsdf(brdf, vec3(0.9, 0.5, 0.04), 0.5, glsl::vec2(0.7, 0.1));
+                return vec4(glsl::bsdfLobe(b, glm::normalize(vec3(0.3, -0.2, 0.8)), vec3(in[0])), 0);
+            },
+            within(2e-5, 1e-6));  // exp of -30 log1p, and halves of nearly opposite directions
+    }
+}
+
 TEST(parity, shBasis18)
 {
     for (int i = 0; i < 18; ++i)

@@ -128,7 +128,8 @@ std::vector<glm::vec4> GlContext::evaluate(const std::vector<std::string>& files
     const size_t count = inputs.at(0).size();
     const int width = 64;
     const int height = int((count + 63) / 64);
-    std::string text = "#version 330 compatibility\n";
+    // Every BRDF, as in glsl.h.
+    std::string text = "#version 330 compatibility\n#define HAS_PHONG\n#define HAS_COOK_TORRANCE\n";
     for (const std::string& file : files) text += library->expand(file).text;
     std::string fetches;
     std::vector<Texture> all = textures;

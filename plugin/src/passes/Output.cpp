@@ -102,6 +102,9 @@ void ForwardPass::setup(PassBuilder& b, FrameContext& c)
     b.uniform(c.textures.harmonics());
     b.bind(c.textures.pyramid(), "pyramidMap");
     b.bind(c.albedoTable, "albedoTable");
+    // A variant knows its BRDF: the compiler drops the other.
+    b.define("HAS_PHONG");
+    b.define("HAS_COOK_TORRANCE");
     b.define("OUTPUT_LINEAR", c.settings.output == Settings::LINEAR);
     if (!c.textures.suns().empty()) {
         b.define("HAS_SUNS");

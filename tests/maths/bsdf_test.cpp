@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// What all passes take a surface for, against quadrature over the hemisphere.
+#include <gtest/gtest.h>
+
+#include "Maths.h"
+
+using namespace testmaths;
+using glsl::Bsdf;
+using glsl::vec2;
+using glsl::vec3;
+
+namespace
+{
+
+const vec3 f0(0.9, 0.5, 0.04);
+
+// Scale and offset of F0 in the directional albedo of the lobe, of one bounce.
+vec2 tableOf(const vec3& v, double alpha)
+{
+    const auto part = [&](bool offset) {
+        return integratePeak(
+            [&](const vec3& l) {
+                const double grazing = glsl::fresnelSchlick(vec3(0), glm::dot(glm::normalize(v + l), v)).x;
+                return glsl::ggxBrdf(v, l, alpha) * l.z * (offset ? grazing : 1.0 - grazing);
+            },
+            alpha);
+    };
+    return vec2(part(false), part(true));
+}
+
+}  // namespace
+
+// With the factor for several bounces the lobe reflects what it says, and the rest reaches the body.
+TEST(bsdf, ACookTorranceLobeReflectsWhatItSays)
+{
+    const vec3 up(0, 0, 1);
+    for (const double roughness : {0.4, 0.7, 1.0}) {
+        const double alpha = roughness * roughness;
+        const Bsdf b = glsl::makeBsdf(BRDF_COOK_TORRANCE, f0, roughness, tableOf(up, alpha));
+        for (int k = 0; k < 3; ++k) {
+            const double reflected = integratePeak([&](const vec3& l) { return glsl::bsdfLobe(b, up, l)[k] * l.z; }, alpha);
+            EXPECT_NEAR(b.reflected[k], reflected, 1e-6) << roughness;
+            EXPECT_NEAR(1.0, b.reflected[k] + b.body[k], 1e-12);
+        }
+    }
+}
+
+TEST(bsdf, AWhiteMetalLeavesNothingToItsBody)
+{
+    for (const double roughness : {0.1, 0.5, 1.0}) {
+        const Bsdf b = glsl::makeBsdf(BRDF_COOK_TORRANCE, vec3(1), roughness, vec2(0.6, 0.0));
+        EXPECT_NEAR(1.0, b.reflected.x, 1e-12);
+        EXPECT_NEAR(0.0, b.body.x, 1e-12);
+    }
+}
+
+TEST(bsdf, APhongLobeLeavesTheBodyAsItIs)
+{
+    const vec3 up(0, 0, 1);
+    const Bsdf b = glsl::makeBsdf(BRDF_PHONG, f0, 0.5, vec2(0));
+    EXPECT_EQ(f0, b.reflected);
+    EXPECT_EQ(vec3(1), b.body);
+    for (int k = 0; k < 3; ++k)
+        EXPECT_NEAR(f0[k], integratePeak([&](const vec3& l) { return glsl::bsdfLobe(b, up, l)[k] * l.z; }, 0.25), 1e-6);
+}
+
+TEST(bsdf, LambertHasNoLobe)
+{
+    const Bsdf b = glsl::makeBsdf(BRDF_LAMBERT, f0, 0.5, vec2(1));
+    EXPECT_EQ(vec3(0), b.reflected);
+    EXPECT_EQ(vec3(1), b.body);
+    EXPECT_EQ(vec3(0), glsl::bsdfLobe(b, vec3(0, 0, 1), vec3(0, 0, 1)));
+}
+
+// Helmholtz: light goes the other way alike.
+TEST(bsdf, LobesAreReciprocal)
+{
+    Random random(71);
+    for (const int brdf : {BRDF_PHONG, BRDF_COOK_TORRANCE}) {
+        const Bsdf b = glsl::makeBsdf(brdf, f0, 0.6, vec2(0.7, 0.1));
+        for (int i = 0; i < 4000; ++i) {
+            const vec3 v = random.upper(), l = random.upper();
+            const vec3 there = glsl::bsdfLobe(b, v, l), back = glsl::bsdfLobe(b, l, v);
+            for (int k = 0; k < 3; ++k) EXPECT_NEAR(there[k], back[k], 1e-12 * (1.0 + there[k]));
+        }
+    }
+}
