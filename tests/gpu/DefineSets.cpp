@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "DefineSets.h"
+
+#include "gl/ShaderLibrary.h"
+
+#include <osg/ref_ptr>
+
+#include <algorithm>
+#include <regex>
+
+namespace
+{
+
+bool has(const Defines& set, const std::string& define)
+{
+    return std::find(set.begin(), set.end(), define) != set.end();
+}
+
+// Of each row at most one: an index or a switch chooses it. Occlusion::setup, Diffuse::setup, CompositePass::setup,
+// SurfaceSort::variantBits.
+const std::vector<Defines> alternatives = {
+    {"OCCLUSION_SLICES", "OCCLUSION_RAYS", "OCCLUSION_POINTS", "OCCLUSION_HORIZONS", "OCCLUSION_BENT_NORMAL"},
+    {"SLICES_1", "SLICES_2", "SLICES_3"},
+    {"DIFFUSE_SH_9", "DIFFUSE_SH_18"},
+    {"ACCUMULATED", "VIEW_TERM"},
+    {"NO_TEXTURE", "TEXTURE_REPLACE", "TEXTURE_DECAL", "TEXTURE_BLEND", "TEXTURE_ADD"},
+    {"TEXGEN_OBJECT", "TEXGEN_EYE"},
+    {"ENVLIGHT_LAMBERT", "ENVLIGHT_PHONG", "ENVLIGHT_COOK_TORRANCE"},
+};
+
+// The first only with the second, in programs that import both.
+const std::vector<std::pair<std::string, std::string>> needs = {
+    {"SUNS_OVER_4", "SUNS_OVER_2"},    {"SUNS_OVER_6", "SUNS_OVER_4"},     {"BACKGROUND_BLUR", "BACKGROUND"},
+    {"HAS_OCCLUSION", "HAS_DIFFUSE"},  {"HAS_BOUNCE", "HAS_OCCLUSION"},    {"SUN_DIFFUSE", "HAS_SUNS"},
+    {"LOBES_UNOCCLUDED", "HAS_LOBES"}, {"HAS_NEIGHBOURHOOD", "HAS_ATLAS"},
+};
+
+void extend(const Defines& defines, size_t next, Defines& set, std::vector<Defines>& result)
+{
+    if (next < defines.size()) {
+        extend(defines, next + 1, set, result);
+        const std::string& d = defines[next];
+        for (const Defines& row : alternatives)
+            if (has(row, d) && std::any_of(set.begin(), set.end(), [&](const std::string& s) { return has(row, s); })) return;
+        set.push_back(d);
+        extend(defines, next + 1, set, result);
+        set.pop_back();
+        return;
+    }
+    for (const auto& [define, other] : needs)
+        if (has(set, define) && has(defines, other) && !has(set, other)) return;
+    result.push_back(set);
+}
+
+std::vector<Defines> product(const Defines& defines)
+{
+    std::vector<Defines> result;
+    Defines set;
+    extend(defines, 0, set, result);
+    return result;
+}
+
+}  // namespace
+
+Defines imported(const std::string& text)
+{
+    static const std::regex pragma("#pragma import_defines\\(([^)]*)\\)");
+    static const std::regex word("\\w+");
+    Defines result;
+    for (std::sregex_iterator p(text.begin(), text.end(), pragma), none; p != none; ++p) {
+        const std::string list = (*p)[1].str();
+        for (std::sregex_iterator w(list.begin(), list.end(), word); w != none; ++w)
+            if (!has(result, w->str())) result.push_back(w->str());
+    }
+    return result;
+}
+
+std::vector<Defines> someSets(const Defines& defines)
+{
+    std::vector<Defines> result;
+    if (defines.size() <= 6) {
+        for (size_t bits = 0; bits < (size_t(1) << defines.size()); ++bits) {
+            Defines set;
+            for (size_t i = 0; i < defines.size(); ++i)
+                if (bits >> i & 1) set.push_back(defines[i]);
+            result.push_back(set);
+        }
+        return result;
+    }
+    result.push_back({});
+    result.push_back(defines);
+    for (size_t i = 0; i < defines.size(); ++i) {
+        result.push_back({defines[i]});
+        for (size_t j = 0; j < i; ++j) result.push_back({defines[j], defines[i]});
+        Defines others = defines;
+        others.erase(others.begin() + std::ptrdiff_t(i));
+        result.push_back(others);
+    }
+    return result;
+}
+
+std::vector<Defines> reachableSets(const Defines& defines)
+{
+    const osg::ref_ptr<osgEnvLight::ShaderLibrary> library = new osgEnvLight::ShaderLibrary(nullptr);
+    const Defines all = imported(library->expand("pass/surface.glsl").text);
+    Defines frame;
+    for (const std::string& d : defines)
+        if (!has(all, d)) frame.push_back(d);
+    if (frame.empty() || defines.size() < frame.size() + all.size()) return product(defines);
+    std::vector<Defines> result = someSets(defines);
+    for (const Defines& set : product(frame))
+        for (const char* kind : {"UNLIT", "PHONG_MATERIAL", "ENVLIGHT_LAMBERT", "ENVLIGHT_PHONG", "ENVLIGHT_COOK_TORRANCE"})
+            for (const Defines& other : {Defines{kind}, Defines{kind, "HAS_SUN_MAPS"}}) {
+                result.push_back(set);
+                result.back().insert(result.back().end(), other.begin(), other.end());
+            }
+    return result;
+}
+
+std::string withDefines(const std::string& text, const Defines& defines)
+{
+    const size_t at = text.find('\n') + 1;
+    std::string lines;
+    for (const std::string& d : defines) lines += "#define " + d + "\n";
+    return text.substr(0, at) + lines + text.substr(at);
+}
+
+std::string listOf(const Defines& defines)
+{
+    std::string result = "{";
+    for (const std::string& d : defines) result += " " + d;
+    return result + " }";
+}
