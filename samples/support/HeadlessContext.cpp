@@ -2,6 +2,7 @@
 #include "HeadlessContext.h"
 
 #include <cstring>
+#include <mutex>
 #include <stdexcept>
 
 #include <EGL/egl.h>
@@ -45,9 +46,27 @@ EGLDisplay openDisplay()
     return display;
 }
 
+// One display serves all contexts of the process, as long as there are any.
+std::mutex displayMutex;
+unsigned displayUsers = 0;
+
+EGLDisplay useDisplay()
+{
+    const std::lock_guard<std::mutex> lock(displayMutex);
+    EGLDisplay display = openDisplay();
+    ++displayUsers;
+    return display;
+}
+
+void leaveDisplay(EGLDisplay display)
+{
+    const std::lock_guard<std::mutex> lock(displayMutex);
+    if (--displayUsers == 0) eglTerminate(display);
+}
+
 }  // namespace
 
-HeadlessContext::HeadlessContext() : _display(openDisplay())
+HeadlessContext::HeadlessContext() : _display(useDisplay(), leaveDisplay)
 {
     if (!eglBindAPI(EGL_OPENGL_API)) fail("eglBindAPI(EGL_OPENGL_API)");
     const EGLint configAttributes[] = {EGL_SURFACE_TYPE,
@@ -67,7 +86,7 @@ HeadlessContext::HeadlessContext() : _display(openDisplay())
                                        EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
-    if (!eglChooseConfig(_display, configAttributes, &config, 1, &count) || count < 1) fail("eglChooseConfig");
+    if (!eglChooseConfig(_display.get(), configAttributes, &config, 1, &count) || count < 1) fail("eglChooseConfig");
     const EGLint contextAttributes[] = {EGL_CONTEXT_MAJOR_VERSION,
                                         3,
                                         EGL_CONTEXT_MINOR_VERSION,
@@ -75,21 +94,20 @@ HeadlessContext::HeadlessContext() : _display(openDisplay())
                                         EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                         EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
                                         EGL_NONE};
-    _context = eglCreateContext(_display, config, EGL_NO_CONTEXT, contextAttributes);
+    _context = eglCreateContext(_display.get(), config, EGL_NO_CONTEXT, contextAttributes);
     if (!_context) fail("eglCreateContext for OpenGL 3.3, compatibility profile,");
     // Without a surface OSG's first look at frame buffer 0 is an error of OpenGL.
     const EGLint surfaceAttributes[] = {EGL_WIDTH, 16, EGL_HEIGHT, 16, EGL_NONE};
-    _surface = eglCreatePbufferSurface(_display, config, surfaceAttributes);
+    _surface = eglCreatePbufferSurface(_display.get(), config, surfaceAttributes);
     if (!_surface) fail("eglCreatePbufferSurface");
-    if (!eglMakeCurrent(_display, _surface, _surface, _context)) fail("eglMakeCurrent");
+    if (!eglMakeCurrent(_display.get(), _surface, _surface, _context)) fail("eglMakeCurrent");
 }
 
 HeadlessContext::~HeadlessContext()
 {
-    eglMakeCurrent(_display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    eglDestroySurface(_display, _surface);
-    eglDestroyContext(_display, _context);
-    // The display is the process's: terminating it would end other contexts on it.
+    eglMakeCurrent(_display.get(), EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglDestroySurface(_display.get(), _surface);
+    eglDestroyContext(_display.get(), _context);
 }
 
 std::string HeadlessContext::renderer() const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <string>
 
 /** An OpenGL compatibility context without an X server, through EGL, current in the thread that made it. */
@@ -18,7 +19,7 @@ class HeadlessContext
     std::string version() const;
 
   private:
-    void* _display = nullptr;
+    std::shared_ptr<void> _display;
     void* _surface = nullptr;
     void* _context = nullptr;
 };
