@@ -28,9 +28,12 @@ function(envlight_precompile name)
     endif()
 endfunction()
 
-# Files that take longer to compile than to run: parsers of command lines and of JSON, all templates.
+# For what takes longer to compile than to run.
+set(ENVLIGHT_COMPILE_FAST $<$<NOT:$<CONFIG:Debug>>:-O1>)
+
+# Parsers of command lines and of JSON, all templates.
 function(envlight_compile_fast)
-    set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS $<$<NOT:$<CONFIG:Debug>>:-O1>)
+    set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS ${ENVLIGHT_COMPILE_FAST})
 endfunction()
 
 # An osgDB plugin: osgdb_<name>.so beside the host's own.

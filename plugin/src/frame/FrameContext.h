@@ -72,10 +72,10 @@ struct FrameContext {
 
     /** This frame adds to a still view's average. */
     bool isAccumulating() const { return still && still->adds(); }
+    /** A still view's terms are drawn, and stay: this frame adds to the average, whose lights have maps of their own, or shows it. */
+    bool hasFirstFrame() const { return still && still->frames() > 0; }
     /** Nothing has changed since a view that has all its frames was drawn. */
-    bool isConverged() const { return still && still->frames() > 0 && !still->adds(); }
-    /** A still view's average asks the maps of its own lights. */
-    bool needsSunMaps() const { return !still || still->frames() == 0; }
+    bool isConverged() const { return hasFirstFrame() && !still->adds(); }
 
     TimedDraw timed(const std::string& pass) const { return {timer, pass, number}; }
     /** Give a full-screen triangle what changes from frame to frame. */

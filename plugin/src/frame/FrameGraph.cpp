@@ -212,8 +212,7 @@ osg::StateSet& FrameGraph::stateOf(const Node& node, FrameContext& c)
     const std::string name = node.pass->name();
     const bool reversed = in.toHost && c.depth.reversed;
     const std::vector<StateSets::Sampler> all = samplers(node);
-    const bool drawsMarked = in.marks.valid() && !in.writesMarks;
-    const std::string mark = drawsMarked ? (in.drawsUnmarked ? " beyond mark " : " of mark ") + std::to_string(in.drawnMark) : "";
+    const std::string mark = in.drawsMarked() ? (in.drawsUnmarked ? " beyond mark " : " of mark ") + std::to_string(in.drawnMark) : "";
     StateSets::Key key{name + (in.adds ? " adds" : "") + (reversed ? " reversed" : "") + mark, in.defines, {}};
     for (const StateSets::Sampler& s : all) key.objects.push_back(s.texture.get());
     for (const auto& u : in.uniforms) key.objects.push_back(u.get());
@@ -255,7 +254,7 @@ std::vector<FullScreen::Clear> FrameGraph::clearsOf(const Node& node) const
 {
     std::vector<FullScreen::Clear> clears;
     const PassInputs& in = node.inputs;
-    if (!in.marks.valid() || in.writesMarks) return clears;
+    if (!in.drawsMarked()) return clears;
     for (size_t i = 0; i < in.targets.size(); ++i) {
         const bool integers = _resources[size_t(in.targets[i].id._index)].desc.format == GL_RGBA32UI_EXT;
         if (in.targets[i].cleared) clears.push_back({int(i), in.targets[i].elsewhere, integers});

@@ -74,6 +74,8 @@ struct PassInputs {
     bool toHost = false;
     bool drawsAlways = false;
     bool keepsContents = false;
+
+    bool drawsMarked() const { return marks.valid() && !writesMarks; }
 };
 
 /** How a pass says what it reads, writes and draws. Textures are known by name to the passes of a frame, and only there. */

@@ -27,7 +27,7 @@ Requirement decideLight(const SceneFacts& f, const Settings& s)
 
 Requirement decideSuns(const SceneFacts& f, const Settings& s)
 {
-    const bool glossy = f.surfaces.phong || f.surfaces.cookTorrance || f.surfaces.litForward > 0;
+    const bool glossy = f.surfaces.hasLobes() || f.surfaces.litForward > 0;
     Requirement suns;
     suns.unless(s.suns == Settings::SUNS_OFF, "switched off").unless(f.mapIsBlack, "the map is black");
     suns.unless(isNothing(f), "nothing to light").unless(f.suns.count == 0, "the map has none");
@@ -75,7 +75,7 @@ Requirement decideAtlas(const SceneFacts& f, const Settings& s, const Requiremen
 Requirement decideOcclusion(const SceneFacts& f, const Settings& s, const Requirement& hidden, bool atlas)
 {
     Requirement occlusion = hidden;
-    occlusion.unless(f.surfaces.deferred == 0, Decisions::onlyForward);
+    occlusion.unless(f.surfaces.deferred == 0, f.whyNoneIsDeferred());
     occlusion.unless(!atlas && s.visibility == Settings::VISIBILITY_ATLAS, "there is no atlas to ask");
     return occlusion.unless(!atlas && s.occlusionRadius <= 0.0f, "occlusionRadius is 0");
 }
@@ -99,7 +99,10 @@ std::string describeOcclusion(const Settings& s, const Decisions& d)
 
 }  // namespace
 
-const char* const Decisions::onlyForward = "nothing to light but transparent surfaces";
+const char* SceneFacts::whyNoneIsDeferred() const
+{
+    return surfaces.litForward > 0 ? "nothing to light but transparent surfaces" : "nothing to light";
+}
 
 bool Decisions::wantsAtlas(const Settings& s)
 {

@@ -23,6 +23,9 @@ struct SceneFacts {
     size_t casters = 0;        // drawables that cast shadows, in view or not; 0 where nobody asked
     size_t sceneLights = 0;    // the application's lights that are switched on
     bool ownGBuffer = true;    // not the application's, of which nobody knows when it changes
+
+    /** The reason of passes over the G-buffer where it is empty. */
+    const char* whyNoneIsDeferred() const;
 };
 
 /** What several passes depend on. */
@@ -43,9 +46,6 @@ struct OSGENVLIGHT_EXPORT Decisions {
     static bool wantsAtlas(const Settings& settings);
     /** The same of the suns' shadow maps. */
     static bool wantsSunMaps(const Settings& settings);
-
-    /** The reason of passes over the G-buffer where it is empty. */
-    static const char* const onlyForward;
 };
 
 /** "3 lights" */

@@ -6,6 +6,11 @@
 namespace osgEnvLight
 {
 
+TextureDesc ofFirstFrame(const FrameContext& c, GLint format, int side)
+{
+    return {format, side, c.still != nullptr};
+}
+
 void drawSurfaces(PassBuilder& b)
 {
     b.drawMarked(b.find("pixel marks"), limits::MARK_SURFACE);

@@ -20,7 +20,11 @@ namespace osgEnvLight
 //   sun points 0 .. 3                   what a pixel's own points see of the suns
 //   sun visibility 0 and 1, penumbrae   how much a pixel sees of them, and the marks of those that must look closer
 //   bounce                              sums of the radiance of what blocks light
+//   radiance                            the sum of the terms over what is behind the scene
+//   average, average of squares         of a still view's frames
 
+/** A texture that a still view's later frames read again as its first one left it. */
+TextureDesc ofFirstFrame(const FrameContext& context, GLint format, int side = 0);
 /** Draw the pixels that show a surface. */
 void drawSurfaces(PassBuilder& builder);
 /** HAS_PHONG, HAS_COOK_TORRANCE: the BRDFs that are in view. */

@@ -15,8 +15,7 @@ Requirement SceneLightsPass::require(const FrameContext& c) const
     lights.unless(!c.facts.ownGBuffer, "the application's own G-buffer says what surfaces emit");
     lights.unless(count == 0 && c.settings.sceneLights == Settings::SCENE_LIGHTS_AUTO, "only the viewer's own light");
     lights.unless(count == 0, "no light is switched on");
-    const bool forward = c.facts.surfaces.litForward > 0;
-    lights.unless(c.facts.surfaces.deferred == 0, forward ? Decisions::onlyForward : "nothing to light");
+    lights.unless(c.facts.surfaces.deferred == 0, c.facts.whyNoneIsDeferred());
     return lights.because(std::to_string(count) + (count == 1 ? " light" : " lights") + ", without shadows");
 }
 
@@ -32,7 +31,7 @@ void SceneLightsPass::setup(PassBuilder& b, FrameContext& c)
 Requirement DiffusePass::require(const FrameContext& c) const
 {
     Requirement diffuse = c.decisions.light;
-    diffuse.unless(c.facts.surfaces.deferred == 0, Decisions::onlyForward);
+    diffuse.unless(c.facts.surfaces.deferred == 0, c.facts.whyNoneIsDeferred());
     return diffuse.because(c.facts.carrier.describe());
 }
 
@@ -57,10 +56,10 @@ void DiffusePass::setup(PassBuilder& b, FrameContext& c)
 
 Requirement SpecularPass::require(const FrameContext& c) const
 {
-    const bool glossy = c.facts.surfaces.phong || c.facts.surfaces.cookTorrance;
     Requirement specular;
     specular.unless(!c.settings.specular, "switched off").unless(c.facts.mapIsBlack, "the map is black");
-    specular.unless(c.facts.surfaces.deferred == 0, "nothing to light").unless(!glossy, "no glossy surface in view");
+    specular.unless(c.facts.surfaces.deferred == 0, c.facts.whyNoneIsDeferred());
+    specular.unless(!c.facts.surfaces.hasLobes(), "no glossy surface in view");
     return specular.because(counted(size_t(c.settings.specularSamples), "samples a pixel"));
 }
 

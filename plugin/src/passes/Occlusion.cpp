@@ -21,8 +21,7 @@ Requirement requireBounce(const FrameContext& c)
 // S is occluded by what the atlas knows.
 bool occludesLobes(const FrameContext& c)
 {
-    const bool glossy = c.facts.surfaces.phong || c.facts.surfaces.cookTorrance;
-    return c.decisions.atlas.needed && c.settings.specular && glossy;
+    return c.decisions.atlas.needed && c.settings.specular && c.facts.surfaces.hasLobes();
 }
 
 const TextureDesc packed = {GL_RGBA32UI_EXT};  // as in pass/lightsums.glsl
@@ -30,12 +29,6 @@ using Texel = std::array<float, 4>;
 const Texel noSums = {0, 0, 0, 0};
 const Texel noPlace = {0, 0, 1, 0};  // the depth of the background
 const Texel allSeen = {1, 1, 1, 1};
-
-// What a still view's later frames read again of its first.
-TextureDesc ofFirstFrame(const FrameContext& c, GLint format, int side = 0)
-{
-    return {format, side, c.still != nullptr};
-}
 
 }  // namespace
 
@@ -99,7 +92,7 @@ void FilterPass::setup(PassBuilder& b, FrameContext& c)
         b.define("HAS_LOBES");
         b.write(b.create("lobe visibility", ofFirstFrame(c, GL_RGBA16F_ARB)), allSeen);
     }
-    if (c.still && c.still->frames() > 0) b.keepContents();
+    if (c.hasFirstFrame()) b.keepContents();
 }
 
 Requirement BouncePass::require(const FrameContext& c) const
@@ -129,7 +122,7 @@ void BounceSumPass::setup(PassBuilder& b, FrameContext& c)
     b.read(b.find("bounce sent"), "sentOnMap");
     const int sums = 8;  // five are used
     b.write(b.create("bounce", ofFirstFrame(c, GL_RGBA32F_ARB, sums)));
-    if (c.still && c.still->frames() > 0) b.keepContents();
+    if (c.hasFirstFrame()) b.keepContents();
 }
 
 }  // namespace osgEnvLight

@@ -27,8 +27,8 @@ Requirement BackgroundPass::require(const FrameContext& c) const
 // A still view shows its first frame's while its average is young.
 void BackgroundPass::setup(PassBuilder& b, FrameContext& c)
 {
-    const TextureId radiance = b.create("radiance", {GL_RGBA32F_ARB, 0, c.still != nullptr});
-    if (c.still && c.still->frames() > 0) {
+    const TextureId radiance = b.create("radiance", ofFirstFrame(c, GL_RGBA32F_ARB));
+    if (c.hasFirstFrame()) {
         b.keepContents();
         return;
     }
@@ -46,9 +46,9 @@ void ResolvePass::setup(PassBuilder& b, FrameContext& c)
 {
     TextureId radiance = b.find("radiance");
     const bool overBackground = radiance.valid();
-    if (!overBackground) radiance = b.create("radiance", {GL_RGBA32F_ARB, 0, c.still != nullptr});
+    if (!overBackground) radiance = b.create("radiance", ofFirstFrame(c, GL_RGBA32F_ARB));
     const bool surfaces = b.find("pixel marks").valid();
-    if ((c.still && c.still->frames() > 0) || (overBackground && !surfaces)) {
+    if (c.hasFirstFrame() || (overBackground && !surfaces)) {
         b.keepContents();
         return;
     }
@@ -73,7 +73,7 @@ void CompositePass::setup(PassBuilder& b, FrameContext& c)
     if (!b.read("radiance", "radianceMap")) {
         b.define("VIEW_TERM");
         readTerms(b, c);
-    } else if (c.still && c.still->frames() > 0) {
+    } else if (c.hasFirstFrame()) {
         b.define("ACCUMULATED");
         b.read(b.find("average"), "accumulatedMap");
     }

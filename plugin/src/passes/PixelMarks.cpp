@@ -9,8 +9,7 @@ namespace osgEnvLight
 Requirement PixelMarksPass::require(const FrameContext& c) const
 {
     Requirement marks;
-    const bool forward = c.facts.surfaces.litForward > 0;
-    marks.unless(c.facts.surfaces.deferred == 0, forward ? Decisions::onlyForward : "nothing to light");
+    marks.unless(c.facts.surfaces.deferred == 0, c.facts.whyNoneIsDeferred());
     return marks.because("which pixels the other passes have to draw");
 }
 
@@ -18,7 +17,7 @@ void PixelMarksPass::setup(PassBuilder& b, FrameContext& c)
 {
     b.read("specular properties", "specularMap");
     b.read("depth", "depthMap");
-    b.define("HAS_LOBES", c.facts.surfaces.phong || c.facts.surfaces.cookTorrance);
+    b.define("HAS_LOBES", c.facts.surfaces.hasLobes());
     b.mark(b.create("pixel marks", {GL_DEPTH_COMPONENT16}));
 }
 

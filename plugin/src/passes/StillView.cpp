@@ -53,7 +53,7 @@ Requirement requireStill(const FrameContext& c)
     still.unless(!c.settings.accumulate, "switched off");
     still.unless(c.settings.view != Settings::BEAUTY, "an intermediate is shown");
     still.unless(!c.decisions.atlas.needed, "without the atlas there is nothing to converge to: " + c.decisions.atlas.reason);
-    still.unless(c.facts.surfaces.deferred == 0, Decisions::onlyForward);
+    still.unless(c.facts.surfaces.deferred == 0, c.facts.whyNoneIsDeferred());
     return still.unless(!c.facts.ownGBuffer, "what the application's own G-buffer shows may move unseen");
 }
 

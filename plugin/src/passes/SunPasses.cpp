@@ -19,7 +19,7 @@ namespace
 Requirement requireShadows(const FrameContext& c)
 {
     Requirement shadows = c.decisions.sunMaps;
-    return shadows.unless(c.facts.surfaces.deferred == 0, Decisions::onlyForward);
+    return shadows.unless(c.facts.surfaces.deferred == 0, c.facts.whyNoneIsDeferred());
 }
 
 std::string numbered(const char* name, unsigned i)
@@ -31,6 +31,12 @@ std::string numbered(const char* name, unsigned i)
 unsigned pairs(const FrameContext& c)
 {
     return (c.facts.suns.count + 1) / 2;
+}
+
+// Four share one of what is seen of them.
+unsigned fours(const FrameContext& c)
+{
+    return (c.facts.suns.count + 3) / 4;
 }
 
 // What pass/sunpoints.glsl reads.
@@ -76,7 +82,7 @@ void SunMaps::drop()
 
 void SunMaps::update(FrameContext& c)
 {
-    if (c.needsSunMaps()) {
+    if (!c.hasFirstFrame()) {
         const ShadowView view{c.worldFromEye, *c.cv.getProjectionMatrix(), c.height()};
         const auto size = unsigned(c.settings.sunShadowSize);
         const VisibleBoxes boxes(c.casters, view);
@@ -119,7 +125,7 @@ Requirement SunShadowPass::require(const FrameContext& c) const
 
 void SunShadowPass::setup(PassBuilder& b, FrameContext& c)
 {
-    if (!c.needsSunMaps()) return;
+    if (c.hasFirstFrame()) return;
     b.readGBuffer();
     readSunMaps(b, c);
     b.read("emission", "emissionMap");
@@ -135,12 +141,12 @@ Requirement PenumbraPass::require(const FrameContext& c) const
 
 void PenumbraPass::setup(PassBuilder& b, FrameContext& c)
 {
-    if (!c.needsSunMaps()) return;
+    if (c.hasFirstFrame()) return;
     b.read("depth", "depthMap");
     readSunPoints(b, c);
     readSuns(b, c);
     b.mark(b.create("penumbrae", {GL_DEPTH_COMPONENT16}));
-    for (unsigned i = 0; i < (c.facts.suns.count + 3) / 4; ++i) b.write(b.create(numbered("sun visibility ", i)));
+    for (unsigned i = 0; i < fours(c); ++i) b.write(b.create(numbered("sun visibility ", i)));
 }
 
 Requirement SunFilterPass::require(const FrameContext& c) const
@@ -150,14 +156,14 @@ Requirement SunFilterPass::require(const FrameContext& c) const
 
 void SunFilterPass::setup(PassBuilder& b, FrameContext& c)
 {
-    if (!c.needsSunMaps()) return;
+    if (c.hasFirstFrame()) return;
     b.readGBuffer();
     readSunMaps(b, c);
     b.read("emission", "emissionMap");
     readSunPoints(b, c);
     readSuns(b, c);
     b.drawMarked(b.find("penumbrae"), limits::MARK_SURFACE);
-    for (unsigned i = 0; i < (c.facts.suns.count + 3) / 4; ++i) b.drawOver(b.find(numbered("sun visibility ", i)));
+    for (unsigned i = 0; i < fours(c); ++i) b.drawOver(b.find(numbered("sun visibility ", i)));
 }
 
 }  // namespace osgEnvLight
