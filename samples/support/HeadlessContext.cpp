@@ -2,7 +2,6 @@
 #include "HeadlessContext.h"
 
 #include <cstring>
-#include <mutex>
 #include <stdexcept>
 
 #include <EGL/egl.h>
@@ -46,27 +45,19 @@ EGLDisplay openDisplay()
     return display;
 }
 
-// One display serves all contexts of the process, as long as there are any.
-std::mutex displayMutex;
-unsigned displayUsers = 0;
-
-EGLDisplay useDisplay()
+// One display serves all contexts of the process: terminating it would end them.
+EGLDisplay sharedDisplay()
 {
-    const std::lock_guard<std::mutex> lock(displayMutex);
-    EGLDisplay display = openDisplay();
-    ++displayUsers;
-    return display;
-}
-
-void leaveDisplay(EGLDisplay display)
-{
-    const std::lock_guard<std::mutex> lock(displayMutex);
-    if (--displayUsers == 0) eglTerminate(display);
+    static const struct Shared {
+        EGLDisplay display = openDisplay();
+        ~Shared() { eglTerminate(display); }
+    } shared;
+    return shared.display;
 }
 
 }  // namespace
 
-HeadlessContext::HeadlessContext() : _display(useDisplay(), leaveDisplay)
+HeadlessContext::HeadlessContext() : _display(sharedDisplay())
 {
     if (!eglBindAPI(EGL_OPENGL_API)) fail("eglBindAPI(EGL_OPENGL_API)");
     const EGLint configAttributes[] = {EGL_SURFACE_TYPE,
@@ -86,7 +77,7 @@ HeadlessContext::HeadlessContext() : _display(useDisplay(), leaveDisplay)
                                        EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
-    if (!eglChooseConfig(_display.get(), configAttributes, &config, 1, &count) || count < 1) fail("eglChooseConfig");
+    if (!eglChooseConfig(_display, configAttributes, &config, 1, &count) || count < 1) fail("eglChooseConfig");
     const EGLint contextAttributes[] = {EGL_CONTEXT_MAJOR_VERSION,
                                         3,
                                         EGL_CONTEXT_MINOR_VERSION,
@@ -94,20 +85,20 @@ HeadlessContext::HeadlessContext() : _display(useDisplay(), leaveDisplay)
                                         EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                         EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
                                         EGL_NONE};
-    _context = eglCreateContext(_display.get(), config, EGL_NO_CONTEXT, contextAttributes);
+    _context = eglCreateContext(_display, config, EGL_NO_CONTEXT, contextAttributes);
     if (!_context) fail("eglCreateContext for OpenGL 3.3, compatibility profile,");
     // Without a surface OSG's first look at frame buffer 0 is an error of OpenGL.
     const EGLint surfaceAttributes[] = {EGL_WIDTH, 16, EGL_HEIGHT, 16, EGL_NONE};
-    _surface = eglCreatePbufferSurface(_display.get(), config, surfaceAttributes);
+    _surface = eglCreatePbufferSurface(_display, config, surfaceAttributes);
     if (!_surface) fail("eglCreatePbufferSurface");
-    if (!eglMakeCurrent(_display.get(), _surface, _surface, _context)) fail("eglMakeCurrent");
+    if (!eglMakeCurrent(_display, _surface, _surface, _context)) fail("eglMakeCurrent");
 }
 
 HeadlessContext::~HeadlessContext()
 {
-    eglMakeCurrent(_display.get(), EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    eglDestroySurface(_display.get(), _surface);
-    eglDestroyContext(_display.get(), _context);
+    eglMakeCurrent(_display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglDestroySurface(_display, _surface);
+    eglDestroyContext(_display, _context);
 }
 
 std::string HeadlessContext::renderer() const

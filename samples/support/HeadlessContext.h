@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <memory>
 #include <string>
 
 /** An OpenGL compatibility context without an X server, through EGL, current in the thread that made it. */
@@ -19,7 +18,7 @@ class HeadlessContext
     std::string version() const;
 
   private:
-    std::shared_ptr<void> _display;
+    void* _display = nullptr;
     void* _surface = nullptr;
     void* _context = nullptr;
 };
