@@ -1,23 +1,15 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// D: the diffuse term without occlusion, rho/pi times the integral of L cos [seed 000, eq. 3, second term], from
-// spherical harmonics of the map or from the irradiance of its importance-sampled lights. Radiance in units of the map's mean.
-#pragma import_defines(DIFFUSE_SH_9, DIFFUSE_SH_18, HAS_SUNS, HAS_SUN_SHADOWS)
+// D: the diffuse term without occlusion, rho/pi times the integral of L cos [seed 000, eq. 3, second term].
+// Radiance in units of the map's mean.
+#pragma import_defines(HAS_SUNS, HAS_SUN_SHADOWS)
 
 #include "lib/constants.glsl"
-#include "lib/octahedral.glsl"
-#include "lib/sh.glsl"
 #include "pass/gbuffer.glsl"
 #include "pass/albedo.glsl"
+#include "pass/irradiance.glsl"
 #ifdef HAS_SUNS
 #include "pass/suns.glsl"
-#endif
-
-#if defined(DIFFUSE_SH_9) || defined(DIFFUSE_SH_18)
-#define DIFFUSE_SH
-uniform vec3 shCoefficients[18];
-#else
-uniform sampler2D irradianceMap;  // over pi, of the importance-sampled lights
 #endif
 
 layout(location = 0) out vec4 diffuse;
@@ -27,19 +19,6 @@ layout(location = 1) out vec4 sunDiffuse; // apart: what keeps D from a surface 
 layout(location = 2) out vec4 sunShaded;  // what is left of that
 #endif
 #endif
-
-vec3 irradianceOverPi(vec3 n)
-{
-#ifdef DIFFUSE_SH
-#ifdef DIFFUSE_SH_9
-    return shIrradiance9(shCoefficients, n);
-#else
-    return shIrradiance(shCoefficients, n);
-#endif
-#else
-    return octahedralLookup(irradianceMap, n);
-#endif
-}
 
 void main()
 {

@@ -3,15 +3,15 @@
 // Transparent surfaces of the host, drawn after the composite in its own bins: the same environment functions, one
 // look-up for the lobe in place of the importance samples. What hides light from them the shadow maps say: of the sky's each
 // pixel of a 2x2 cell asks a quarter, and the cell shares what its four know; of each sun's disc eight points.
-#pragma import_defines(HAS_SUNS, SUN_DIFFUSE, HAS_ATLAS, HAS_SUN_MAPS, HAS_BOUNCE, HAS_SCENE_LIGHTS)
+#pragma import_defines(HAS_SPECULAR, HAS_SUNS, SUN_DIFFUSE, HAS_ATLAS, HAS_SUN_MAPS, HAS_BOUNCE, HAS_SCENE_LIGHTS)
 
 #include "lib/frame.glsl"
 #include "lib/limits.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/sequence.glsl"
-#include "lib/sh.glsl"
 #include "pass/surface.glsl"
 #include "pass/albedo.glsl"
+#include "pass/irradiance.glsl"
 #if defined(HAS_SUNS) || defined(HAS_SUN_MAPS)
 #include "pass/suns.glsl"
 #endif
@@ -30,10 +30,11 @@ uniform mat4 sunsFromEye;
 #endif
 #include "pass/display.glsl"
 
+#ifdef HAS_SPECULAR
 uniform sampler2D pyramidMap;
 uniform float pyramidSide;
 uniform float pyramidLastLevel;
-uniform vec3 shCoefficients[18];
+#endif
 uniform float radianceScale;
 uniform mat3 mapFromEyeForward;
 
@@ -128,6 +129,15 @@ void addSceneLights(Surface s, Bsdf b, inout vec3 glint, inout vec3 received)
 }
 #endif
 
+#ifdef HAS_SPECULAR
+// What the lobe sends to the eye of the map, over its albedo. Half of a GGX lobe's energy lies within a cone of about tan = alpha.
+vec3 mirrored(Surface s)
+{
+    float lod = log2(max(s.roughness * s.roughness * pyramidSide, 1.0));
+    return pyramidLookup(pyramidMap, pyramidSide, pyramidLastLevel, mapFromEyeForward * reflect(s.ray, s.normal), lod);
+}
+#endif
+
 void main()
 {
     Surface s = readSurface();
@@ -138,7 +148,7 @@ void main()
     float alpha = s.alpha;
     vec3 mapNormal = mapFromEyeForward * s.normal;
     SkySeen seen = skySeen(s);
-    vec3 irradianceOverPi = shIrradiance(shCoefficients, mapNormal) * seen.light;
+    vec3 irradiance = irradianceOverPi(mapNormal) * seen.light;
     vec3 sunGlint = vec3(0.0);
 #ifdef HAS_SUNS
     mat3 mapFromLocal = frameAround(mapNormal);
@@ -146,10 +156,12 @@ void main()
     for (int i = 0; i < sunCount; ++i) {
         vec3 sun = sunShare(i, s) * sunRadiance[i];
 #ifdef SUN_DIFFUSE
-        irradianceOverPi += sun * discIrradianceOverPi(dot(mapNormal, sunDirection[i]), sunRadius[i]);
+        irradiance += sun * discIrradianceOverPi(dot(mapNormal, sunDirection[i]), sunRadius[i]);
 #endif
+#ifdef HAS_SPECULAR
         if (s.brdf != BRDF_LAMBERT)
             sunGlint += sun * ggxDisc(sunDirection[i] * mapFromLocal, local, max(s.roughness * s.roughness, 1e-3), sunRadius[i]);
+#endif
     }
 #endif
     vec3 sceneGlint = vec3(0.0);
@@ -158,20 +170,19 @@ void main()
     addSceneLights(s, b, sceneGlint, sceneReceived);
 #endif
     if (s.brdf != BRDF_LAMBERT) {
-        // Half of a GGX lobe's energy lies within a cone of about tan = alpha.
-        float lod = log2(max(s.roughness * s.roughness * pyramidSide, 1.0));
-        vec3 r = reflect(s.ray, s.normal);
-        vec3 mirrored = pyramidLookup(pyramidMap, pyramidSide, pyramidLastLevel, mapFromEyeForward * r, lod) * seen.lobe;
-        vec3 glint = b.reflected * (mirrored + sunGlint) * radianceScale + sceneGlint;
+        vec3 glint = sceneGlint;
+#ifdef HAS_SPECULAR
+        glint += b.reflected * (mirrored(s) * seen.lobe + sunGlint) * radianceScale;
 #ifdef HAS_BOUNCE
-        glint += b.reflected * (1.0 - seen.lobe) * meanRadiance(r);
+        glint += b.reflected * (1.0 - seen.lobe) * meanRadiance(reflect(s.ray, s.normal));
+#endif
 #endif
         // A reflection does not fade with the body's transparency: blending multiplies by alpha, so alpha rises with it.
         float strength = max(b.reflected.r, max(b.reflected.g, b.reflected.b));
         alpha = mix(s.alpha, 1.0, clamp(strength, 0.0, 1.0));
         radiance += glint / max(alpha, 1e-3);
     }
-    vec3 received = irradianceOverPi * radianceScale + sceneReceived;
+    vec3 received = irradiance * radianceScale + sceneReceived;
 #ifdef HAS_BOUNCE
     received += (1.0 - seen.ambient) * meanRadiance(s.normal);
 #endif

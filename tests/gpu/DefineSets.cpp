@@ -21,7 +21,7 @@ bool has(const Defines& set, const std::string& define)
 const std::vector<Defines> alternatives = {
     {"OCCLUSION_SLICES", "OCCLUSION_RAYS", "OCCLUSION_POINTS", "OCCLUSION_HORIZONS", "OCCLUSION_BENT_NORMAL"},
     {"SLICES_1", "SLICES_2", "SLICES_3"},
-    {"DIFFUSE_SH_9", "DIFFUSE_SH_18"},
+    {"DIFFUSE_SH_9", "DIFFUSE_SH_18", "DIFFUSE_LIGHTS"},
     {"ACCUMULATED", "VIEW_TERM"},
     {"NO_TEXTURE", "TEXTURE_REPLACE", "TEXTURE_DECAL", "TEXTURE_BLEND", "TEXTURE_ADD"},
     {"TEXGEN_OBJECT", "TEXGEN_EYE"},

@@ -13,6 +13,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
 
@@ -138,6 +140,57 @@ TEST(Transparency, ATransparentBinWithoutBlendingIsOpaqueAndLitLikeTheRest)
     EXPECT_NEAR(c[0], 0.0, 0.01);
     EXPECT_NEAR(c[1], 1.0, 0.01);
     EXPECT_EQ(lit->plan().surfaces.forward, 0u);
+}
+
+namespace
+{
+
+// A grey card that is glossy or not, opaque or as good as that but drawn after the composite.
+osg::ref_ptr<LitScene> glossyCard(bool glossy, bool transparent)
+{
+    const osg::ref_ptr<LitScene> lit = makeLit(lopsidedMap().get());
+    lit->getSettings()->background = Settings::BACKGROUND_OFF;
+    const osg::ref_ptr<osg::Geode> grey = card(0.0, osg::Vec4(1, 1, 1, transparent ? 0.9999f : 1.0f));
+    osg::StateSet& s = *grey->getOrCreateStateSet();
+    if (glossy)
+        osgEnvLight::Material::setCookTorrance(s, osg::Vec3f(0.5f, 0.5f, 0.5f), 0.0f, 0.8f);
+    else
+        osgEnvLight::Material::setLambert(s, osg::Vec3f(0.5f, 0.5f, 0.5f));
+    if (transparent) blend(*grey);
+    lit->addChild(grey);
+    return lit;
+}
+
+}  // namespace
+
+// Terms that are switched off, whatever carries D, and lists of the application's own.
+TEST(Transparency, TermsAreThoseOfOpaqueSurfaces)
+{
+    SceneRenderer renderer(size, size);
+    const auto list = std::make_shared<osgEnvLight::LightList>();
+    list->push_back({osg::Vec3d(0.6, -0.8, 0), osg::Vec3d(3, 2, 1)});
+    std::set<double> seen;
+    const auto expectEqual = [&](const char* what, bool glossy, bool given,
+                                 const std::vector<std::pair<std::string, std::string>>& set) {
+        osg::Vec3d color[2];
+        for (const bool transparent : {false, true}) {
+            const osg::ref_ptr<LitScene> lit = glossyCard(glossy, transparent);
+            if (given) lit->getEnvironmentMap()->setLights(list);
+            std::string error;
+            for (const auto& [name, value] : set) ASSERT_TRUE(lit->getSettings()->set(name, value, error)) << error;
+            color[transparent] = renderer.render(lit, 2).color(16, 16);
+            EXPECT_EQ(lit->plan().surfaces.litForward, transparent ? 1u : 0u) << what;
+        }
+        for (int k = 0; k < 3; ++k) EXPECT_NEAR(color[1][k], color[0][k], 2e-3 * color[0][k]) << what << ", channel " << k;
+        seen.insert(color[0][0]);
+    };
+    expectEqual("by harmonics", false, false, {{"diffuseCarrier", "sh"}});
+    expectEqual("by 16 lights", false, false, {{"diffuseCarrier", "lights"}, {"diffuseLights", "16"}, {"lightWeights", "off"}});
+    expectEqual("by a list", false, true, {});
+    expectEqual("without D", false, false, {{"diffuse", "off"}});
+    expectEqual("without S", true, false, {{"specular", "off"}});
+    expectEqual("without either", true, false, {{"specular", "off"}, {"diffuse", "off"}});
+    EXPECT_EQ(seen.size(), 5u);  // two are black
 }
 
 TEST(Transparency, ACardsShadowKeepsItsHolesWhenItsImageIsGone)

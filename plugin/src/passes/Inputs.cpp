@@ -24,6 +24,18 @@ void readLobes(PassBuilder& b, const FrameContext& c)
     b.bind(c.albedoTable, "albedoTable");
 }
 
+void readIrradiance(PassBuilder& b, FrameContext& c)
+{
+    if (!c.decisions.light.needed) return;
+    if (c.facts.carrier.lights) {
+        b.define("DIFFUSE_LIGHTS");
+        b.bind(c.textures.irradiance(), "irradianceMap");
+    } else {
+        b.define(c.facts.carrier.harmonics == 9 ? "DIFFUSE_SH_9" : "DIFFUSE_SH_18");
+        b.uniform(c.textures.harmonics());
+    }
+}
+
 void readSuns(PassBuilder& b, FrameContext& c)
 {
     b.define("ONE_SUN", c.textures.suns().size() == 1);

@@ -29,6 +29,8 @@ TextureDesc ofFirstFrame(const FrameContext& context, GLint format, int side = 0
 void drawSurfaces(PassBuilder& builder);
 /** HAS_PHONG, HAS_COOK_TORRANCE: the BRDFs that are in view. */
 void readLobes(PassBuilder& builder, const FrameContext& context);
+/** What pass/irradiance.glsl reads: nothing where the map gives no diffuse light. */
+void readIrradiance(PassBuilder& builder, FrameContext& context);
 /** The uniforms of pass/suns.glsl. */
 void readSuns(PassBuilder& builder, FrameContext& context);
 /** HAS_SUN_SHADOWS and what each pixel sees of the suns, where a pass makes that; else false. */

@@ -38,12 +38,7 @@ Requirement DiffusePass::require(const FrameContext& c) const
 void DiffusePass::setup(PassBuilder& b, FrameContext& c)
 {
     b.readGBuffer();
-    if (c.facts.carrier.lights) {
-        b.bind(c.textures.irradiance(), "irradianceMap");
-    } else {
-        b.define(c.facts.carrier.harmonics == 9 ? "DIFFUSE_SH_9" : "DIFFUSE_SH_18");
-        b.uniform(c.textures.harmonics());
-    }
+    readIrradiance(b, c);
     readLobes(b, c);
     drawSurfaces(b);
     b.write(b.create("diffuse"));

@@ -99,16 +99,19 @@ void ForwardPass::setup(PassBuilder& b, FrameContext& c)
                    osg::StateAttribute::ON | osg::StateAttribute::PROTECTED);
     s.addUniform(new osg::Uniform("baseColorMap", 0));
     b.frameUniforms(c.frame.uniforms.get());
-    b.uniform(c.textures.harmonics());
-    b.bind(c.textures.pyramid(), "pyramidMap");
+    readIrradiance(b, c);
+    if (c.settings.specular && !c.facts.mapIsBlack) {
+        b.define("HAS_SPECULAR");
+        b.bind(c.textures.pyramid(), "pyramidMap");
+    }
     b.bind(c.albedoTable, "albedoTable");
     // A variant knows its BRDF: the compiler drops the other.
     b.define("HAS_PHONG");
     b.define("HAS_COOK_TORRANCE");
     b.define("OUTPUT_LINEAR", c.settings.output == Settings::LINEAR);
-    if (!c.textures.suns().empty()) {
+    if (c.decisions.suns.needed) {
         b.define("HAS_SUNS");
-        b.define("SUN_DIFFUSE", c.settings.suns == Settings::SUNS_AUTO);
+        b.define("SUN_DIFFUSE", c.decisions.sunDiffuse);
         readSuns(b, c);
     }
     const auto addPlace = [&](const char* name, const osg::Vec3d& origin) {
