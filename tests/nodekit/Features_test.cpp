@@ -2,6 +2,8 @@
 // The README's table of OpenSceneGraph's features, a test a row: lit, or drawn exactly as without the node and said so once.
 #include <SceneRenderer.h>
 
+#include <osgEnvLight/Material>
+
 #include <osg/BlendFunc>
 #include <osg/ClipNode>
 #include <osg/ClipPlane>
@@ -199,6 +201,8 @@ TEST_F(Features, PaintedReflectionsAreMetal)
         EXPECT_NEAR(c[2], 0.9, 0.01);
         s.setTextureAttribute(0, new osg::TexEnv(osg::TexEnv::ADD));
         EXPECT_NEAR(lit(model)[0], 1.0, 0.01) << "a highlight on white: all of what it gets, reflected or scattered";
+        osgEnvLight::Material::setLambert(s, osg::Vec3f(0.5f, 0.5f, 0.5f));
+        EXPECT_NEAR(lit(model)[0], 0.5, 0.01) << "a material of ours says more than a painted reflection";
     }
 }
 

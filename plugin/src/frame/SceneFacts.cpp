@@ -49,8 +49,7 @@ Requirement decideSunMaps(const SceneFacts& f, const Settings& s, const Requirem
     maps.unless(!s.occlusion, "occlusion is off").unless(s.visibility == Settings::VISIBILITY_NONE, "visibility is none");
     maps.unless(f.casters == 0, "nothing casts shadows");
     const std::string side = std::to_string(s.sunShadowSize);
-    return maps.because("maps of " + side + " x " + side + " of " + std::to_string(f.casters) +
-                        " drawables, drawn when they change");
+    return maps.because("maps of " + side + " x " + side + " of " + counted(f.casters, "drawable") + ", drawn when they change");
 }
 
 // What keeps the map's light from a surface, whoever says so.
@@ -82,17 +81,17 @@ Requirement decideOcclusion(const SceneFacts& f, const Settings& s, const Requir
 
 std::string describeOcclusion(const Settings& s, const Decisions& d)
 {
-    const std::string slices = counted(size_t(s.occlusionSlices), "slices of ");
-    std::string reason = counted(d.occlusionLights, "lights, ") + counted(d.occlusionLights / 16, "a pixel, ");
+    const std::string slices = counted(size_t(s.occlusionSlices), "slice") + " of ";
+    std::string reason = counted(d.occlusionLights, "light") + ", " + std::to_string(d.occlusionLights / 16) + " a pixel, ";
     if (d.atlas.needed)
-        reason += d.screen ? "each asking its shadow map and " + slices + counted(size_t(2 * s.nearTaps), "taps")
+        reason += d.screen ? "each asking its shadow map and " + slices + counted(size_t(2 * s.nearTaps), "tap")
                            : std::string("each asking its shadow map");
     else if (s.occlusionMethod == Settings::RAY)
-        reason += counted(size_t(s.occlusionSteps), "points a ray");
+        reason += counted(size_t(s.occlusionSteps), "point") + " a ray";
     else if (s.occlusionMethod == Settings::POINT)
         reason += "one point a ray";
     else
-        reason += slices + counted(size_t(2 * s.occlusionTaps), "taps");
+        reason += slices + counted(size_t(2 * s.occlusionTaps), "tap");
     if (d.occlusionLights != d.askedOcclusionLights) reason += " (rounded up to a multiple of 16)";
     return reason;
 }
@@ -129,14 +128,14 @@ Decisions Decisions::make(const SceneFacts& f, const Settings& s)
     d.askedOcclusionLights = f.carrier.given ? f.carrier.lights : unsigned(d.atlas.needed ? s.atlasLights : s.occlusionLights);
     if (d.occlusion.needed || d.atlas.needed) d.occlusionLights = (d.askedOcclusionLights + 15) / 16 * 16;
     d.occlusion.because(describeOcclusion(s, d));
-    d.atlas.because(counted(d.occlusionLights, "maps of ") + std::to_string(s.atlasSize) + " x " + std::to_string(s.atlasSize) +
-                    " of " + std::to_string(f.casters) + " drawables");
+    d.atlas.because(counted(d.occlusionLights, "map") + " of " + std::to_string(s.atlasSize) + " x " +
+                    std::to_string(s.atlasSize) + " of " + counted(f.casters, "drawable"));
     return d;
 }
 
-std::string counted(size_t n, const char* what)
+std::string counted(size_t n, const char* noun)
 {
-    return std::to_string(n) + " " + what;
+    return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
 }
 
 }  // namespace osgEnvLight

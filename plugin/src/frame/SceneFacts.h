@@ -48,7 +48,7 @@ struct OSGENVLIGHT_EXPORT Decisions {
     static bool wantsSunMaps(const Settings& settings);
 };
 
-/** "3 lights" */
-std::string counted(size_t n, const char* what);
+/** "3 lights", "1 light" */
+std::string counted(size_t n, const char* noun);
 
 }  // namespace osgEnvLight

@@ -73,7 +73,8 @@ void awaitLights(FrameContext& c)
 Requirement GBufferPass::require(const FrameContext& c) const
 {
     Requirement r;
-    return r.because(counted(c.facts.surfaces.deferred, "drawables, ") + counted(c.facts.surfaces.forward, "drawn forward"));
+    return r.because(counted(c.facts.surfaces.deferred, "drawable") + ", " + std::to_string(c.facts.surfaces.forward) +
+                     " drawn forward");
 }
 
 osg::StateSet& GBufferPass::state(FrameContext& c, bool sunny)

@@ -16,7 +16,7 @@ Requirement SceneLightsPass::require(const FrameContext& c) const
     lights.unless(count == 0 && c.settings.sceneLights == Settings::SCENE_LIGHTS_AUTO, "only the viewer's own light");
     lights.unless(count == 0, "no light is switched on");
     lights.unless(c.facts.surfaces.deferred == 0, c.facts.whyNoneIsDeferred());
-    return lights.because(std::to_string(count) + (count == 1 ? " light" : " lights") + ", without shadows");
+    return lights.because(counted(count, "light") + ", without shadows");
 }
 
 void SceneLightsPass::setup(PassBuilder& b, FrameContext& c)
@@ -55,7 +55,7 @@ Requirement SpecularPass::require(const FrameContext& c) const
     specular.unless(!c.settings.specular, "switched off").unless(c.facts.mapIsBlack, "the map is black");
     specular.unless(c.facts.surfaces.deferred == 0, c.facts.whyNoneIsDeferred());
     specular.unless(!c.facts.surfaces.hasLobes(), "no glossy surface in view");
-    return specular.because(counted(size_t(c.settings.specularSamples), "samples a pixel"));
+    return specular.because(counted(size_t(c.settings.specularSamples), "sample") + " a pixel");
 }
 
 void SpecularPass::setup(PassBuilder& b, FrameContext& c)

@@ -88,7 +88,7 @@ Requirement ForwardPass::require(const FrameContext& c) const
 {
     Requirement forward;
     forward.unless(c.facts.surfaces.litForward == 0, "no transparent surface in view");
-    return forward.because(counted(c.facts.surfaces.litForward, "transparent drawables, in the host's order"));
+    return forward.because(counted(c.facts.surfaces.litForward, "transparent drawable") + ", in the host's order");
 }
 
 void ForwardPass::setup(PassBuilder& b, FrameContext& c)
