@@ -45,19 +45,9 @@ EGLDisplay openDisplay()
     return display;
 }
 
-// One display serves all contexts of the process: terminating it would end them.
-EGLDisplay sharedDisplay()
-{
-    static const struct Shared {
-        EGLDisplay display = openDisplay();
-        ~Shared() { eglTerminate(display); }
-    } shared;
-    return shared.display;
-}
-
 }  // namespace
 
-HeadlessContext::HeadlessContext() : _display(sharedDisplay())
+HeadlessContext::HeadlessContext() : _display(openDisplay())
 {
     if (!eglBindAPI(EGL_OPENGL_API)) fail("eglBindAPI(EGL_OPENGL_API)");
     const EGLint configAttributes[] = {EGL_SURFACE_TYPE,
@@ -99,6 +89,7 @@ HeadlessContext::~HeadlessContext()
     eglMakeCurrent(_display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     eglDestroySurface(_display, _surface);
     eglDestroyContext(_display, _context);
+    // The display is the process's: terminating it would end other contexts on it.
 }
 
 std::string HeadlessContext::renderer() const
