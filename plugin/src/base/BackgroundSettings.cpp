@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include "base/SettingsRows.h"
+
+namespace osgEnvLight
+{
+
+std::vector<SettingsProperty> BackgroundSettings::properties()
+{
+    using S = BackgroundSettings;
+    using namespace rows;
+    return {
+        choice("background", &S::background, {"off", "on", "blur", "auto"},
+               "the map behind the scene; auto: unless a sky or backdrop of the application's, below the node or drawn before it "
+               "in a "
+               "negative bin, is there"),
+        real("backgroundBlur", &S::backgroundBlur, 0, 90, "degrees", "width of the blur of background = blur"),
+    };
+}
+
+}  // namespace osgEnvLight
