@@ -11,9 +11,8 @@ std::vector<SettingsProperty> BackgroundSettings::properties()
     return {
         choice("background", &S::background, {"off", "on", "blur", "auto"},
                "the map behind the scene; auto: unless a sky or backdrop of the application's, below the node or drawn before it "
-               "in a "
-               "negative bin, is there"),
-        real("backgroundBlur", &S::backgroundBlur, 0, 90, "degrees", "width of the blur of background = blur"),
+               "in a negative bin, is there"),
+        uniform(real("backgroundBlur", &S::backgroundBlur, 0, 90, "degrees", "width of the blur of background = blur")),
     };
 }
 

@@ -9,21 +9,22 @@ std::vector<SettingsProperty> OutputSettings::properties()
     using S = OutputSettings;
     using namespace rows;
     return {
-        choice("view", &S::view,
-               {"beauty", "diffuse", "specular", "occlusion", "visibility", "albedo", "normal", "depth", "emission", "bounce",
-                "lights"},
-               "the picture, or one of its intermediates"),
+        uniform(choice("view", &S::view,
+                       {"beauty", "diffuse", "specular", "occlusion", "visibility", "albedo", "normal", "depth", "emission",
+                        "bounce", "lights"},
+                       "the picture, or one of its intermediates")),
         choice("output", &S::output, {"display", "linear"},
                "what the host receives: exposed, tone mapped and encoded for a display, or scene-linear radiance"),
         choice("exposureBase", &S::exposureBase, {"map", "none"},
                "what exposure adds to: stops that show a white surface at .63 in the middle between the map's mean and greatest "
                "irradiance, or 0"),
-        real("exposure", &S::exposure, -32, 32, "stops",
-             "added to exposureBase; radiance is multiplied by 2 to this power before the tone curve"),
-        choice("toneCurve", &S::toneCurve, {"clip", "reinhard", "neutral", "shoulder"},
-               "from radiance to the display's range: none, Reinhard 2002, Khronos PBR Neutral, or that with only its highlights "
-               "bent"),
-        onOff("dither", &S::dither, "ordered dither of half an 8-bit step against bands"),
+        uniform(real("exposure", &S::exposure, -32, 32, "stops",
+                     "added to exposureBase; radiance is multiplied by 2 to this power before the tone curve")),
+        uniform(choice(
+            "toneCurve", &S::toneCurve, {"clip", "reinhard", "neutral", "shoulder"},
+            "from radiance to the display's range: none, Reinhard 2002, Khronos PBR Neutral, or that with only its highlights "
+            "bent")),
+        uniform(onOff("dither", &S::dither, "ordered dither of half an 8-bit step against bands")),
     };
 }
 

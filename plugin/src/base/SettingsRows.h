@@ -35,6 +35,13 @@ inline SettingsProperty choice(const char* name, int Settings::*member, const st
     return {name, member, 0, double(choices.size() - 1), "", description, choices};
 }
 
+/** That shaders read. */
+inline SettingsProperty uniform(SettingsProperty property)
+{
+    property.uniform = true;
+    return property;
+}
+
 }  // namespace rows
 
 }  // namespace osgEnvLight

@@ -9,7 +9,8 @@ std::vector<SettingsProperty> SpecularSettings::properties()
     using S = SpecularSettings;
     using namespace rows;
     return {
-        number("specularSamples", &S::specularSamples, 1, 1024, "samples per pixel", "directions sampled from the BRDF for S"),
+        uniform(number("specularSamples", &S::specularSamples, 1, 1024, "samples per pixel",
+                       "directions sampled from the BRDF for S")),
     };
 }
 

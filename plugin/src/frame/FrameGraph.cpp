@@ -90,7 +90,7 @@ void FrameGraph::setUp(FrameContext& c)
     for (size_t i = 0; i < _passes.size(); ++i) {
         _nodes[i].pass = _passes[i].get();
         if (!_report[i].runs) continue;
-        PassBuilder builder(*this, int(i), _nodes[i].inputs);
+        PassBuilder builder(*this, c, int(i), _nodes[i].inputs);
         _passes[i]->setup(builder, c);
         _report[i].reason += c.takeRemark();
     }

@@ -24,26 +24,15 @@ FrameResources::FrameResources()
       _accumulatedShare(new osg::Uniform("accumulatedShare", 0.0f)),
       _accumulatedFrames(new osg::Uniform("accumulatedFrames", 0.0f))
 {
-    for (const Settings::Property& p : Settings::table()) {
-        const bool real = std::holds_alternative<float Settings::*>(p.member);
-        _settings.push_back(new osg::Uniform(real ? osg::Uniform::FLOAT : osg::Uniform::INT, p.name));
-        uniforms->addUniform(_settings.back());
-    }
     for (osg::Uniform* u : {_sceneRadius.get(), _radianceScale.get(), _baseStops.get(), _emittedStops.get(), _pyramidSide.get(),
                             _pyramidLastLevel.get(), _mapFromEye.get(), _sampleShift.get(), _sampleFrames.get(),
                             _frameWeight.get(), _accumulatedWeight.get(), _accumulatedShare.get(), _accumulatedFrames.get()})
         uniforms->addUniform(u);
 }
 
-void FrameResources::setUniforms(const Settings& settings, double sceneRadius, double radianceScale, const MapTextures& textures,
+void FrameResources::setUniforms(double sceneRadius, double radianceScale, const MapTextures& textures,
                                  const osg::Matrixd& mapFromEye, double baseStops)
 {
-    const auto& table = Settings::table();
-    for (size_t i = 0; i < table.size(); ++i) {
-        const double value = table[i].get(settings);
-        const bool real = _settings[i]->getType() == osg::Uniform::FLOAT;
-        real ? _settings[i]->set(float(value)) : _settings[i]->set(int(value));
-    }
     _sceneRadius->set(float(sceneRadius));
     _radianceScale->set(float(radianceScale));
     _baseStops->set(float(baseStops));
@@ -81,6 +70,25 @@ AtlasRefresh& FrameResources::refresh(const std::string& name)
     osg::ref_ptr<AtlasRefresh>& refresh = _refreshes[name];
     if (!refresh) refresh = new AtlasRefresh(name, triangle.get());
     return *refresh;
+}
+
+osg::StateSet& FrameResources::settingsState(SettingsGroup group, const Settings& settings)
+{
+    SettingsUniforms& s = _settings[group];
+    if (!s.state) {
+        s.state = new osg::StateSet;
+        for (const SettingsProperty& p : group()) {
+            if (!p.uniform) continue;
+            const bool real = std::holds_alternative<float Settings::*>(p.member);
+            s.uniforms.emplace_back(p, new osg::Uniform(real ? osg::Uniform::FLOAT : osg::Uniform::INT, p.name));
+            s.state->addUniform(s.uniforms.back().second.get());
+        }
+    }
+    for (const auto& [property, uniform] : s.uniforms) {
+        const double value = property.get(settings);
+        uniform->getType() == osg::Uniform::FLOAT ? uniform->set(float(value)) : uniform->set(int(value));
+    }
+    return *s.state;
 }
 
 osg::StateSet& FrameResources::atlasState(const std::string& name, const ShadowAtlas& atlas, const ShadowAtlas* near)

@@ -18,6 +18,8 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace osgEnvLight
 {
@@ -29,9 +31,9 @@ class OSGENVLIGHT_EXPORT FrameResources : public osg::Referenced
   public:
     FrameResources();
 
-    /** The values of this frame, for every pass and the forward surfaces: all of Settings by name, and what follows. */
-    void setUniforms(const Settings& settings, double sceneRadius, double radianceScale, const MapTextures& textures,
-                     const osg::Matrixd& mapFromEye, double baseStops);
+    /** The values of this frame, for every pass and the forward surfaces. */
+    void setUniforms(double sceneRadius, double radianceScale, const MapTextures& textures, const osg::Matrixd& mapFromEye,
+                     double baseStops);
     /** Where a still view stands; null: none. */
     void setUniforms(const Accumulation* still);
 
@@ -56,6 +58,8 @@ class OSGENVLIGHT_EXPORT FrameResources : public osg::Referenced
     /** What draws the shadow maps of that name. */
     AtlasRefresh& refresh(const std::string& name);
 
+    /** Uniforms of those of a group that shaders read, with the values of this frame. */
+    osg::StateSet& settingsState(SettingsGroup group, const Settings& settings);
     /** Uniforms of an atlas and its lights as they stand in this frame.
      * @param name  of the atlas
      * @param near  the atlas of the same lights about the view, or null */
@@ -74,17 +78,22 @@ class OSGENVLIGHT_EXPORT FrameResources : public osg::Referenced
     unsigned lastCull = 0;  // of its view
 
   private:
+    struct SettingsUniforms {
+        osg::ref_ptr<osg::StateSet> state;
+        std::vector<std::pair<SettingsProperty, osg::ref_ptr<osg::Uniform>>> uniforms;
+    };
+
     std::vector<osg::Drawable*> drawables() const;
 
     std::map<std::string, osg::ref_ptr<StageDraw>> _draws;
     std::map<std::string, osg::ref_ptr<AtlasRefresh>> _refreshes;
+    std::map<SettingsGroup, SettingsUniforms> _settings;
     std::map<std::string, osg::ref_ptr<osg::StateSet>> _atlasStates;
     osg::ref_ptr<osg::StateSet> _sceneLightState;
     osg::ref_ptr<osg::StateSet> _sunState;
     osg::ref_ptr<const SunShadows> _sunShadows;  // that it is of, at which version
     unsigned _sunVersion = 0;
     bool _sunUsed = false;
-    std::vector<osg::ref_ptr<osg::Uniform>> _settings;  // in the table's order
     osg::ref_ptr<osg::Uniform> _sceneRadius;
     osg::ref_ptr<osg::Uniform> _radianceScale;
     osg::ref_ptr<osg::Uniform> _baseStops;

@@ -2,6 +2,7 @@
 #include "frame/PassBuilder.h"
 
 #include "base/Limits.h"
+#include "frame/FrameContext.h"
 #include "frame/FrameGraph.h"
 
 #include <stdexcept>
@@ -93,6 +94,11 @@ void PassBuilder::triangle(const std::function<osg::ref_ptr<FullScreen>()>& make
 {
     _inputs.makeTriangle = make;
     _inputs.prepareTriangle = prepare;
+}
+
+void PassBuilder::settings(SettingsGroup group)
+{
+    frameUniforms(&_context.frame.settingsState(group, _context.settings));
 }
 
 StateSets& PassBuilder::states()

@@ -5,6 +5,7 @@
 #include "frame/StateSets.h"
 
 #include <osgEnvLight/Export>
+#include <osgEnvLight/SettingsGroups>
 
 #include <osg/StateSet>
 #include <osg/Texture2D>
@@ -18,6 +19,7 @@ namespace osgEnvLight
 {
 
 class FrameGraph;
+struct FrameContext;
 
 /** A texture of a frame: what passes hand on. */
 class TextureId
@@ -82,7 +84,10 @@ struct PassInputs {
 class OSGENVLIGHT_EXPORT PassBuilder
 {
   public:
-    PassBuilder(FrameGraph& graph, int pass, PassInputs& inputs) : _graph(graph), _pass(pass), _inputs(inputs) {}
+    PassBuilder(FrameGraph& graph, FrameContext& context, int pass, PassInputs& inputs)
+        : _graph(graph), _context(context), _pass(pass), _inputs(inputs)
+    {
+    }
 
     /** A texture that this pass makes. Throws if another pass of the frame makes one of that name. */
     TextureId create(const std::string& name, const TextureDesc& desc = TextureDesc());
@@ -133,6 +138,12 @@ class OSGENVLIGHT_EXPORT PassBuilder
     void uniform(osg::Uniform* uniform) { _inputs.uniforms.emplace_back(uniform); }
     /** Uniforms whose values belong to this frame. */
     void frameUniforms(osg::StateSet* state) { _inputs.frameUniforms.emplace_back(state); }
+    /** The settings of a struct that the shader reads, as uniforms of their names: settings<OcclusionSettings>(). */
+    template <class Group>
+    void settings()
+    {
+        settings(Group::properties);
+    }
     /** The point in the world that atlasFromEye leads to. */
     void shadowOrigin(const osg::Vec3d& origin) { _inputs.shadowOrigin = origin; }
 
@@ -142,7 +153,10 @@ class OSGENVLIGHT_EXPORT PassBuilder
     StateSets& states();
 
   private:
+    void settings(SettingsGroup group);
+
     FrameGraph& _graph;
+    FrameContext& _context;
     int _pass;
     PassInputs& _inputs;
 };

@@ -130,7 +130,7 @@ FrameContext DeferredTechnique::contextOf(LitScene& node, LitView& vd, const Set
     c.facts.mapIsBlack = c.radianceScale <= 0.0;
     c.facts.sceneRadius = node.getBound().valid() ? double(node.getBound().radius()) : 0.0;
     if (c.facts.ownGBuffer) c.depth = DepthConvention::of(*cv.getCurrentStateGraph());
-    c.frame.setUniforms(settings, c.facts.sceneRadius, c.radianceScale, textures, c.worldFromEye * c.mapFromWorld, c.baseStops);
+    c.frame.setUniforms(c.facts.sceneRadius, c.radianceScale, textures, c.worldFromEye * c.mapFromWorld, c.baseStops);
     return c;
 }
 

@@ -97,6 +97,7 @@ void readBackground(PassBuilder& b, FrameContext& c)
     if (c.background == Settings::BACKGROUND_BLUR) {
         b.define("BACKGROUND_BLUR");
         b.bind(c.textures.pyramid(), "pyramidMap");
+        b.settings<BackgroundSettings>();
     }
     if (c.background == Settings::BACKGROUND_ON) b.bind(c.textures.latlong(), "latlongMap");
 }

@@ -25,6 +25,7 @@ void SceneLightsPass::setup(PassBuilder& b, FrameContext& c)
     readLobes(b, c);
     drawSurfaces(b);
     b.frameUniforms(&c.frame.sceneLightState());
+    b.settings<SurfaceSettings>();
     b.addTo(b.find("emission"));
 }
 
@@ -61,6 +62,7 @@ Requirement SpecularPass::require(const FrameContext& c) const
 void SpecularPass::setup(PassBuilder& b, FrameContext& c)
 {
     b.readGBuffer();
+    b.settings<SpecularSettings>();
     b.bind(c.textures.pyramid(), "pyramidMap");
     b.bind(c.textures.latlong(), "latlongMap");
     readLobes(b, c);

@@ -40,6 +40,7 @@ Requirement OcclusionPass::require(const FrameContext& c) const
 void OcclusionPass::setup(PassBuilder& b, FrameContext& c)
 {
     b.readGBuffer();
+    b.settings<OcclusionSettings>();
     if (c.decisions.atlas.needed) {
         b.define("HAS_ATLAS");
         readSkyMaps(b, c, "atlas", *c.skyMaps, c.nearSkyMaps);
@@ -66,6 +67,7 @@ Requirement FilterRowsPass::require(const FrameContext& c) const
 void FilterRowsPass::setup(PassBuilder& b, FrameContext& c)
 {
     b.readGBuffer();
+    b.settings<FilterSettings>();
     b.define("COMBINE_SUBTRACT", c.settings.combine == Settings::SUBTRACT);
     b.read(b.find("light sums"), "sumsMap");
     b.read(b.find("light places"), "placeMap");
@@ -83,6 +85,7 @@ Requirement FilterPass::require(const FrameContext& c) const
 void FilterPass::setup(PassBuilder& b, FrameContext& c)
 {
     b.readGBuffer();
+    b.settings<FilterSettings>();
     b.define("COMBINE_SUBTRACT", c.settings.combine == Settings::SUBTRACT);
     b.read(b.find("row sums"), "sumsMap");
     b.read(b.find("row places"), "placeMap");

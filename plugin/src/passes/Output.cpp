@@ -69,6 +69,7 @@ void CompositePass::setup(PassBuilder& b, FrameContext& c)
     const Settings& s = c.settings;
     b.writeHost();
     b.readGBuffer();
+    b.settings<OutputSettings>();
     b.define("BACKGROUND", c.background != Settings::BACKGROUND_OFF);
     if (!b.read("radiance", "radianceMap")) {
         b.define("VIEW_TERM");
@@ -99,6 +100,8 @@ void ForwardPass::setup(PassBuilder& b, FrameContext& c)
                    osg::StateAttribute::ON | osg::StateAttribute::PROTECTED);
     s.addUniform(new osg::Uniform("baseColorMap", 0));
     b.frameUniforms(c.frame.uniforms.get());
+    b.settings<SurfaceSettings>();
+    b.settings<OutputSettings>();
     readIrradiance(b, c);
     if (c.settings.specular && !c.facts.mapIsBlack) {
         b.define("HAS_SPECULAR");
