@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // Geometry of the host's own drawables, for the G-buffer and for what is drawn forward.
-#pragma import_defines(HAS_SUN_MAPS, NO_TEXTURE, TEXGEN_OBJECT, TEXGEN_EYE, TEXGEN_PROJECTED)
+#pragma import_defines(HAS_SUN_MAPS, CLIP_PLANES, NO_TEXTURE, TEXGEN_OBJECT, TEXGEN_EYE, TEXGEN_PROJECTED)
 
 uniform vec2 subpixel;  // shift of the picture in clip space over w
 
@@ -44,5 +44,7 @@ void main()
 #endif
     gl_Position = ftransform();
     gl_Position.xy += subpixel * gl_Position.w;
+#ifdef CLIP_PLANES
     gl_ClipVertex = gl_ModelViewMatrix * gl_Vertex;  // for the host's clip planes
+#endif
 }

@@ -121,6 +121,7 @@ class SurfaceSort
         if (state.vertexColored()) bits |= S::VERTEX_COLOR;
         if (state.phongMaterial()) bits |= S::PHONG_MATERIAL;
         if (state.twoSided()) bits |= S::TWO_SIDED;
+        if (state.clipped()) bits |= S::CLIP_PLANES;
         if (state.brdf() >= 0) bits |= unsigned(S::ENVLIGHT_LAMBERT) << state.brdf();
         return bits;
     }
@@ -176,7 +177,7 @@ const osg::StateSet* SurfaceSorter::variant(unsigned bits)
                                           "TEXTURE_BLEND",    "TEXTURE_ADD",      "ALPHA_TEXTURE",         "TEXGEN_OBJECT",
                                           "TEXGEN_EYE",       "TEXGEN_PROJECTED", "PAINTED_REFLECTION",    "UNLIT",
                                           "VERTEX_COLOR",     "FACE_NORMAL",      "PHONG_MATERIAL",        "TWO_SIDED",
-                                          "ENVLIGHT_LAMBERT", "ENVLIGHT_PHONG",   "ENVLIGHT_COOK_TORRANCE"};
+                                          "ENVLIGHT_LAMBERT", "ENVLIGHT_PHONG",   "ENVLIGHT_COOK_TORRANCE", "CLIP_PLANES"};
     std::lock_guard<std::mutex> lock(_mutex);
     osg::ref_ptr<osg::StateSet>& stateSet = _variants[bits];
     if (!stateSet) {

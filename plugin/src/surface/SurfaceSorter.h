@@ -77,7 +77,8 @@ class OSGENVLIGHT_EXPORT SurfaceSorter : public osg::Referenced
         TWO_SIDED = 1u << 15,
         ENVLIGHT_LAMBERT = 1u << 16,
         ENVLIGHT_PHONG = 1u << 17,
-        ENVLIGHT_COOK_TORRANCE = 1u << 18
+        ENVLIGHT_COOK_TORRANCE = 1u << 18,
+        CLIP_PLANES = 1u << 19
     };
     const osg::StateSet* variant(unsigned bits);
     void say(const char* what, const char* how, const osg::Drawable* drawable);

@@ -110,7 +110,7 @@ void SurfaceState::mergeMode(osg::StateAttribute::GLMode mode, osg::StateAttribu
         case GL_FRAGMENT_PROGRAM_ARB:
             return _fragmentProgram.merge(value);
         default:
-            return;
+            if (mode >= GL_CLIP_PLANE0 && mode < GL_CLIP_PLANE0 + _clipPlanes.size()) _clipPlanes[mode - GL_CLIP_PLANE0].merge(value);
     }
 }
 
@@ -235,6 +235,11 @@ bool SurfaceState::twoSided() const
     if (!model || !model->getTwoSided() || !m || _brdf >= 0 || unlit()) return false;
     return !m->getDiffuseFrontAndBack() || !m->getSpecularFrontAndBack() || !m->getEmissionFrontAndBack() ||
            !m->getShininessFrontAndBack();
+}
+
+bool SurfaceState::clipped() const
+{
+    return std::any_of(_clipPlanes.begin(), _clipPlanes.end(), [](const Mode& plane) { return plane.on; });
 }
 
 bool SurfaceState::translucent(const osg::Geometry* geometry) const

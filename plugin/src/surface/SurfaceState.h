@@ -81,6 +81,8 @@ class OSGENVLIGHT_EXPORT SurfaceState
     bool phongMaterial() const;
     /** Back faces have a material of their own. */
     bool twoSided() const;
+    /** Planes of the host's cut it. */
+    bool clipped() const;
 
     bool ownProgram() const { return _ownProgram; }
     /** Not for a G-buffer: blended, or drawn by the user's own program or against the depth buffer's rules. */
@@ -137,6 +139,7 @@ class OSGENVLIGHT_EXPORT SurfaceState
     Mode _fog;
     Mode _vertexProgram;
     Mode _fragmentProgram;
+    std::array<Mode, 6> _clipPlanes;
     Attribute _material;
     Attribute _depth;
     Attribute _blendFunction;
