@@ -13,14 +13,6 @@ find_package(embree 3.13 QUIET CONFIG)
 find_package(TBB 2021 QUIET CONFIG)
 find_package(benchmark QUIET CONFIG)
 find_program(GLSLANG_VALIDATOR glslangValidator)
-# Decided when a build tree is made: another launcher later would mean that all is built again.
-if(NOT DEFINED CCACHE)
-    find_program(CCACHE ccache)
-endif()
-if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-    # Without this no file that has a precompiled header is cached.
-    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE})
-endif()
 
 # The host's libraries by a name that the installed package can define again (Install.cmake).
 add_library(osgEnvLight_OpenSceneGraph INTERFACE)

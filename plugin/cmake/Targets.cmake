@@ -23,9 +23,6 @@ endif()
 # what it uses.
 function(envlight_precompile name)
     target_precompile_headers(${name} PRIVATE ${ARGN})
-    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-        target_compile_options(${name} PRIVATE -fpch-preprocess)  # or ccache leaves alone what has a precompiled header
-    endif()
 endfunction()
 
 # For what takes longer to compile than to run.
