@@ -66,17 +66,31 @@ class MarkedPass : public osgEnvLight::RenderPass
     const float _elsewhere;
 };
 
-// Shows that texture.
+// Adds 1 to it for the passes after this one.
+class LaterPass : public osgEnvLight::RenderPass
+{
+  public:
+    const char* name() const override { return "later"; }
+    Requirement require(const FrameContext&) const override { return {true, "for the test"}; }
+    void setup(PassBuilder& b, FrameContext&) override { b.addLaterTo(b.find("marked texture")); }
+};
+
+// Shows that texture, or a quarter of it.
 class ShowMarkedPass : public osgEnvLight::RenderPass
 {
   public:
-    const char* name() const override { return "showmarked"; }
+    explicit ShowMarkedPass(const char* name = "showmarked") : _name(name) {}
+
+    const char* name() const override { return _name; }
     Requirement require(const FrameContext&) const override { return {true, "for the test"}; }
     void setup(PassBuilder& b, FrameContext&) override
     {
         b.read(b.find("marked texture"), "markedMap");
         b.addTo(b.find("emission"));
     }
+
+  private:
+    const char* const _name;
 };
 
 // Draws into a texture that nobody reads.
@@ -138,6 +152,11 @@ class ShaderFolder
         std::ofstream(_path / "pass" / "showmarked.frag")
             << "#version 330 compatibility\nuniform sampler2D markedMap;\nlayout(location = 0) out vec4 emission;\n"
                "void main() { emission = texelFetch(markedMap, ivec2(gl_FragCoord.xy), 0); }\n";
+        std::ofstream(_path / "pass" / "later.frag")
+            << "#version 330 compatibility\nlayout(location = 0) out vec4 one;\nvoid main() { one = vec4(1.0); }\n";
+        std::ofstream(_path / "pass" / "showlater.frag")
+            << "#version 330 compatibility\nuniform sampler2D markedMap;\nlayout(location = 0) out vec4 emission;\n"
+               "void main() { emission = 0.25 * texelFetch(markedMap, ivec2(gl_FragCoord.xy), 0); }\n";
         setenv("ENVLIGHT_SHADER_PATH", _path.c_str(), 1);
     }
     ~ShaderFolder()
@@ -202,6 +221,16 @@ TEST_F(FrameGraphTest, DrawsMarkedPixels)
     EXPECT_EQ(0.25, emitted(false, MARK_GLOSSY, 0.25f));
     EXPECT_EQ(1.0, emitted(true, MARK_GLOSSY, 0.25f));
     EXPECT_EQ(1.0, emitted(true, MARK_SURFACE, 0.25f));
+}
+
+// A reader before it reads what there was, one after it the sum.
+TEST_F(FrameGraphTest, AddsLaterThanTheReadersBefore)
+{
+    osg::ref_ptr<WithPasses> lit = makeScene();
+    lit->getSettings()->view = Settings::EMISSION;
+    lit->passes = {new MarkedPass(osgEnvLight::limits::MARK_SURFACE, 0.0f), new ShowMarkedPass, new LaterPass,
+                   new ShowMarkedPass("showlater")};
+    EXPECT_EQ(1.0 + 0.25 * 2.0, renderer.render(lit, 2).color(16, 16)[0]);
 }
 
 TEST_F(FrameGraphTest, DropsWhatNobodyReads)

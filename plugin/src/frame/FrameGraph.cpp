@@ -110,7 +110,8 @@ void FrameGraph::dropUnread()
         if (in.toHost || in.filled || in.drawsAlways || in.makeTriangle || !in.customDraws.empty()) enliven(i);
     }
     while (!waiting.empty()) {
-        const PassInputs& in = _nodes[waiting.back()].inputs;
+        const size_t reader = waiting.back();
+        const PassInputs& in = _nodes[reader].inputs;
         waiting.pop_back();
         std::vector<TextureId> ids;
         if (in.marks.valid()) ids.push_back(in.marks);
@@ -121,11 +122,14 @@ void FrameGraph::dropUnread()
             const Resource& r = _resources[size_t(id._index)];
             if (r.maker >= 0) enliven(size_t(r.maker));
             for (const int adder : r.adders) enliven(size_t(adder));
+            for (const int adder : r.lateAdders)
+                if (size_t(adder) < reader) enliven(size_t(adder));
         }
     }
 }
 
-// What is made comes before what is added to it, and that before what reads it; else as the passes were added.
+// What is made comes before what is added to it, and that before what reads it; what is added later, after the readers before it.
+// Else as the passes were added.
 std::vector<int> FrameGraph::order() const
 {
     std::vector<std::vector<int>> before(_nodes.size());
@@ -134,9 +138,14 @@ std::vector<int> FrameGraph::order() const
     };
     for (const Resource& r : _resources) {
         for (const int adder : r.adders) follows(adder, r.maker);
+        for (const int adder : r.lateAdders) {
+            follows(adder, r.maker);
+            for (const int other : r.adders) follows(adder, other);
+        }
         for (const int reader : r.readers) {
             follows(reader, r.maker);
             for (const int adder : r.adders) follows(reader, adder);
+            for (const int adder : r.lateAdders) adder < reader ? follows(reader, adder) : follows(adder, reader);
         }
     }
     std::vector<int> sequence;
@@ -174,7 +183,7 @@ void FrameGraph::allocate(const std::vector<int>& sequence, const FrameContext& 
         const int first = position[size_t(r.maker)];
         if (first < 0 && !r.desc.kept) continue;
         int last = first;
-        for (const auto* users : {&r.adders, &r.readers})
+        for (const auto* users : {&r.adders, &r.lateAdders, &r.readers})
             for (const int user : *users) {
                 const PassInputs& in = _nodes[size_t(user)].inputs;
                 last = std::max(last, in.toHost || in.filled ? endOfFrame : position[size_t(user)]);

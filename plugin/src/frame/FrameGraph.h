@@ -52,7 +52,7 @@ class OSGENVLIGHT_EXPORT FrameGraph
         osg::ref_ptr<osg::Texture2D> texture;  // one from outside, or when there is one
         bool outside = false;
         int maker = -1;
-        std::vector<int> adders, readers;
+        std::vector<int> adders, lateAdders, readers;
     };
 
     void begin(FrameContext& context);

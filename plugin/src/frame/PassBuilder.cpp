@@ -62,6 +62,13 @@ void PassBuilder::addTo(TextureId texture)
     _inputs.adds = true;
 }
 
+void PassBuilder::addLaterTo(TextureId texture)
+{
+    _graph._resources[size_t(texture._index)].lateAdders.push_back(_pass);
+    _inputs.targets.push_back({texture, {}, false});
+    _inputs.adds = true;
+}
+
 void PassBuilder::drawOver(TextureId texture)
 {
     _graph._resources[size_t(texture._index)].adders.push_back(_pass);

@@ -106,6 +106,8 @@ class OSGENVLIGHT_EXPORT PassBuilder
     void write(TextureId texture, const std::array<float, 4>& elsewhere = {});
     /** Add to what a pass before this one, or this one in a former frame, has drawn. */
     void addTo(TextureId texture);
+    /** The same, but only the passes after this one read the sum: those before it read what there was. */
+    void addLaterTo(TextureId texture);
     /** Draw over what a pass before this one has drawn; pixels that drawMarked() leaves out stay. */
     void drawOver(TextureId texture);
     /** Mark pixels for the passes after this one, in a depth texture: the shader writes a mark of lib/limits.glsl as
