@@ -97,6 +97,7 @@ inline vec4 textureLod(const sampler2D& s, vec2 st, double)
 #include "lib/fresnel.glsl"
 #include "lib/ggx.glsl"
 #include "lib/latlong.glsl"
+#include "lib/march.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/opensky.glsl"
 #include "lib/phong.glsl"

@@ -52,6 +52,8 @@ const std::vector<Sweep>& defaultSweeps()
          false},
         {"suns", {"off", "glossy", "auto"}, {}, Sweep::ANY, false},
         {"specularSamples", {"4", "8", "16", "32", "64", "128"}, {}, Sweep::SPECULAR, true},
+        {"reflections", {"off", "map", "screen"}, {}, Sweep::FULL_TRANSPORT, true},
+        {"reflectionSteps", {"4", "8", "16", "32", "64"}, {}, Sweep::SPECULAR, false},
         {"bounce", {"off", "mean"}, {}, Sweep::FULL_TRANSPORT, true},
     };
     return sweeps;

@@ -145,7 +145,7 @@ int run(Arguments& a)
     const Clock::time_point start = Clock::now();
     a.scene.check();
     // What is measured against direct light has no other.
-    if (a.paths == "direct") a.scene.settings.insert(a.scene.settings.begin(), "bounce=off");
+    if (a.paths == "direct") a.scene.settings.insert(a.scene.settings.begin(), {"bounce=off", "reflections=map"});
     addPluginPath();
     Selection selection;
     selection.only = a.only;

@@ -22,4 +22,29 @@ float surfaceWeight(float distance, float cosine)
     return exp(-distance * distance) * c * c;
 }
 
+// One over the square of the angle between normals at which a lobe's neighbour weighs 1/e: so many of the lobe's alphas.
+float lobeNarrowness(float roughness, float alphas)
+{
+    float angle = alphas * max(roughness * roughness, 1e-4);
+    return 1.0 / (angle * angle);
+}
+
+// By how much a lobe turns at most between two pixels, as an angle of normals: by that of the normals, and by half of that of the view.
+float lobeTurn(vec3 normals, float view)
+{
+    return length(normals) + 0.5 * view;
+}
+
+// Weight of a neighbour for a lobe.
+float lobeWeight(float turn, float narrowness)
+{
+    return exp(-turn * turn * narrowness);
+}
+
+// The same by the difference of their roughnesses.
+float alikeWeight(float difference)
+{
+    return exp(-100.0 * difference * difference);
+}
+
 #endif

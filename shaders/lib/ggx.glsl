@@ -99,11 +99,11 @@ float ggxReflectionPdf(vec3 v, vec3 h, float alpha)
 
 // By which the lights of maps weigh in a lobe: the distribution of normals half-way, unnormalized. Narrower ones than of
 // alpha .3 would hold too few of the lights.
-float lobeShare(vec3 normal, vec3 view, vec3 light, float roughness)
+float lobeShare(vec3 v, vec3 l, float roughness)
 {
     float alpha = max(roughness * roughness, 0.3);
-    float c = dot(normal, normalize(view + light));
-    float t = c * c * (alpha * alpha - 1.0) + 1.0;
+    vec3 h = normalize(v + l);
+    float t = ggxSpread(h, alpha);
     return 1.0 / (t * t);
 }
 

@@ -12,7 +12,8 @@ const int ERROR_BLOCKS = 32;      // along each side of the picture
 const int PROBE_SIDE = 16;        // points that are read back along each side of the picture
 
 // A pass that draws pixels of a mark draws those of lower ones, too.
-const float MARK_STEP = 0.25;
+const float MARK_STEP = 0.125;
+const float MARK_TRACED = 0.125;  // a surface with a lobe that is narrow enough to search the picture for what it shows
 const float MARK_GLOSSY = 0.25;   // a surface with a lobe
 const float MARK_SURFACE = 0.5;
 const float MARK_NONE = 1.0;

@@ -9,15 +9,13 @@
 #include "lib/tone.glsl"
 #include "pass/albedo.glsl"
 #include "pass/atlas.glsl"
+#include "pass/lobewidth.glsl"
 #include "pass/picture.glsl"
 
 uniform float frameWeight;
 
 layout(location = 0) out vec4 sum;      // radiance, coverage
 layout(location = 1) out float square;  // of the luminance
-
-// Below alphas of this range a look-up in the mirror direction stays what it is: too few lights would fall into the lobe.
-const vec2 MIRROR_FADE = vec2(0.04, 0.1);
 
 struct Lobe {
     mat3 eyeFromLocal;
@@ -33,7 +31,7 @@ Lobe lobeAt(ivec2 p, vec3 n)
     lobe.eyeFromLocal = frameAround(n);
     lobe.v = pixelView(p, lobe.eyeFromLocal);
     lobe.bsdf = bsdfOf(pixelBrdf(p), texelFetch(specularMap, p, 0).rgb, roughness, lobe.v.z);
-    lobe.share = smoothstep(MIRROR_FADE.x, MIRROR_FADE.y, roughness * roughness);
+    lobe.share = lightedShare(roughness);
     return lobe;
 }
 

@@ -3,15 +3,12 @@
 // SPDX-License-Identifier: MIT
 // O, last part: the rows' sums, filtered along columns. Only then num is divided by den (systems.md E3). With COMBINE_SUBTRACT the
 // result is the occluded irradiance over pi, as printed in seed 000.
-#pragma import_defines(COMBINE_SUBTRACT, HAS_LOBES)
+#pragma import_defines(COMBINE_SUBTRACT)
 
 #include "lib/constants.glsl"
 #include "pass/sumsfilter.glsl"
 
 layout(location = 0) out vec4 occlusion;
-#ifdef HAS_LOBES
-layout(location = 1) out vec4 lobeSeen;
-#endif
 
 void main()
 {
@@ -27,7 +24,4 @@ void main()
                          den.b > 0.0 ? num.b / den.b : 1.0);
 #endif
     occlusion.a = den.a > 0.0 ? num.a / den.a : 1.0;
-#ifdef HAS_LOBES
-    lobeSeen = vec4(sums.lobe.y > 0.0 ? sums.lobe.x / sums.lobe.y : 1.0);
-#endif
 }

@@ -13,5 +13,4 @@ void main()
     rowPlace = texelFetch(placeMap, p, 0);
     LightSums sums = filteredSums(p, ivec2(1, 0), unpackPlace(rowPlace));
     rowSums = packSums(sums);
-    rowPlace.w = packHalf2x16(sums.lobe);
 }

@@ -64,7 +64,9 @@ SkySeen skySeen(Surface s)
 #ifdef HAS_ATLAS
     vec3 point = vec3(atlasFromEye * vec4(eyePosition, 1.0));
     vec3 normal = mat3(atlasFromEye) * s.normal;
-    vec3 view = mat3(atlasFromEye) * -s.ray;
+    mat3 localFromEye = transpose(frameAround(s.normal));
+    vec3 view = localFromEye * -s.ray;
+    mat3 localFromLights = localFromEye * transpose(mat3(atlasFromEye));
     vec4 num = vec4(0.0);
     vec4 den = vec4(0.0);
     vec2 lobe = vec2(0.0);
@@ -76,7 +78,7 @@ SkySeen skySeen(Surface s)
             float c = dot(normal, light.direction);
             if (c <= 0.0) continue;
             vec4 e = c * vec4(light.flux, light.solidAngle);
-            float l = e.a * lobeShare(normal, view, light.direction, s.roughness);
+            float l = e.a * lobeShare(view, localFromLights * light.direction, s.roughness);
             float seen = atlasSees(light, point, normal, c);
             num += seen * e;
             den += e;

@@ -26,6 +26,12 @@ vec2 pixelNdc(ivec2 p)
     return (vec2(p) + 0.5) / viewportSize * 2.0 - 1.0;
 }
 
+// Angle between the view rays of two pixels side by side.
+float pixelTurn(vec2 ndc)
+{
+    return length(viewRay(inverseProjection, ndc + vec2(0.0, 2.0 / viewportSize.y)) - viewRay(inverseProjection, ndc));
+}
+
 vec3 pixelEye(ivec2 p)
 {
     return eyeFromDepth(inverseProjection, pixelNdc(p), texelFetch(depthMap, p, 0).r);

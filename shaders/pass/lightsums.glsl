@@ -5,11 +5,10 @@
 
 #include "lib/octahedral.glsl"
 
-// num and den: sums over the pixel's lights, those it sees and all of them. lobe: the same two sums for the lobe.
+// num and den: sums over the pixel's lights, those it sees and all of them.
 struct LightSums {
     vec4 num;
     vec4 den;
-    vec2 lobe;
 };
 
 // Where a pixel's sums are from. facet: normal of the plane about it.
@@ -37,16 +36,15 @@ uvec4 packSums(LightSums s)
     return uvec4(packHalf2x16(s.num.rg), packHalf2x16(s.num.ba), packHalf2x16(s.den.rg), packHalf2x16(s.den.ba));
 }
 
-uvec4 packPlace(SumsPlace p, vec2 lobe)
+uvec4 packPlace(SumsPlace p)
 {
     uint z = packSnorm2x16(vec2(p.normal.z, 0.0)) | packFacet(p.facet, p.normal) << 16;
-    return uvec4(packSnorm2x16(p.normal.xy), z, floatBitsToUint(p.depth), packHalf2x16(lobe));
+    return uvec4(packSnorm2x16(p.normal.xy), z, floatBitsToUint(p.depth), 0u);
 }
 
-LightSums unpackSums(uvec4 sums, uvec4 place)
+LightSums unpackSums(uvec4 sums)
 {
-    return LightSums(vec4(unpackHalf2x16(sums.x), unpackHalf2x16(sums.y)), vec4(unpackHalf2x16(sums.z), unpackHalf2x16(sums.w)),
-                     unpackHalf2x16(place.w));
+    return LightSums(vec4(unpackHalf2x16(sums.x), unpackHalf2x16(sums.y)), vec4(unpackHalf2x16(sums.z), unpackHalf2x16(sums.w)));
 }
 
 SumsPlace unpackPlace(uvec4 place)

@@ -4,7 +4,7 @@
 // O, first half: each pixel of a 4x4 cell takes its own group of the map's lights [seed 000, 3.2, fig. 3] and sums
 // flux cos over the lights it sees (num) and over all of them (den). Their filtered ratio is the visibility of D. A light is
 // blocked if the screen or its shadow map says so: bit by bit, so that no occluder counts twice [occlusion.md 4].
-// Alpha: the same sums of solid angle cos, the ambient visibility.
+// Alpha: the same sums of solid angle cos, the ambient visibility. Of pixels with a lobe also the sums of flux times BRDF cos.
 #pragma import_defines(HAS_ATLAS, OCCLUSION_SLICES, OCCLUSION_RAYS, OCCLUSION_POINTS, OCCLUSION_HORIZONS, OCCLUSION_BENT_NORMAL, HAS_LOBES, SLICES_1, SLICES_2, SLICES_3)
 #if defined(OCCLUSION_HORIZONS) || defined(OCCLUSION_BENT_NORMAL)
 #define OCCLUSION_SCALAR
@@ -17,13 +17,16 @@
 #define MOST_SLICES 3
 #endif
 
-#include "lib/ggx.glsl"
+#include "lib/bsdf.glsl"
+#include "lib/frame.glsl"
 #include "lib/opensky.glsl"
 #include "lib/sequence.glsl"
 #include "lib/slices.glsl"
 #include "lib/visibility.glsl"
 #include "pass/gbuffer.glsl"
 #include "pass/lightsums.glsl"
+#include "pass/lobesums.glsl"
+#include "pass/lobewidth.glsl"
 #ifdef HAS_ATLAS
 #include "pass/atlas.glsl"
 uniform float nearRadius;            // in texels of the atlas
@@ -40,6 +43,9 @@ uniform float sceneRadius;
 
 layout(location = 0) out uvec4 sumsTexel;
 layout(location = 1) out uvec4 placeTexel;
+#ifdef HAS_LOBES
+layout(location = 2) out uvec4 lobeTexel;
+#endif
 
 // The surface in a pixel, and how far it must be lifted: a tenth of a pixel, and twice the step of a 24-bit depth buffer.
 struct Receiver {
@@ -139,11 +145,64 @@ int bitNumber(uint bit)
     return int(floatBitsToUint(float(bit)) >> 23) - 127;
 }
 
+#ifdef HAS_LOBES
+// A pixel's lobe in the frame of the lights.
+struct Lobe {
+    mat3 lightsFromLocal;
+    vec3 view;  // local
+    Bsdf bsdf;
+    float roughness;
+};
+
+Lobe lobeAt(ivec2 p, vec3 normal)
+{
+    Lobe lobe;
+    mat3 eyeFromLocal = frameAround(normal);
+    lobe.lightsFromLocal = lightsFromEye() * eyeFromLocal;
+    lobe.view = pixelView(p, eyeFromLocal);
+    lobe.roughness = texelFetch(normalMap, p, 0).a;
+    // What several scatterings add is the same for all lights.
+    lobe.bsdf = makeBsdf(pixelBrdf(p), texelFetch(specularMap, p, 0).rgb, lobe.roughness, vec2(1.0, 0.0));
+    return lobe;
+}
+
+// flux: of the light, times the cosine; direction: unit.
+void addToLobe(Lobe lobe, vec4 flux, vec3 direction, float seen, inout LobeLights sums)
+{
+    vec3 l = direction * lobe.lightsFromLocal;
+    vec3 e = flux.rgb * bsdfLobe(lobe.bsdf, lobe.view, l);
+    float s = flux.a * lobeShare(lobe.view, l, lobe.roughness);
+    sums.seen += seen * e;
+    sums.all += e;
+    sums.sky += s * vec2(seen, 1.0);
+}
+
+#ifdef HAS_ATLAS
+// A lobe that is narrower than the lights lie apart asks those four that are nearest to its direction [indirect2.md 3].
+
+float mirrorOpen(Lobe lobe, vec3 point, vec3 normal)
+{
+    vec3 d = lobe.lightsFromLocal * vec3(-lobe.view.x, -lobe.view.y, lobe.view.z);
+    ivec2 size = textureSize(nearestLightMap, 0);
+    vec4 nearest = texelFetch(nearestLightMap, min(ivec2(octahedralFromDirection(d) * vec2(size)), size - 1), 0);
+    vec2 sum = vec2(0.0);
+    float c = max(dot(normal, d), 0.0);
+    for (int k = 0; k < 4; ++k) {
+        int i = int(nearest[k] + 0.5);
+        AtlasLight light = atlasLight(i % LIGHT_GROUPS, i / LIGHT_GROUPS);
+        float w = pow(max(dot(light.direction, d), 0.0), 200.0) + 1e-12;
+        sum += w * vec2(dot(normal, light.direction) > 0.0 ? atlasSees(light, point, normal, c) : 1.0, 1.0);
+    }
+    return sum.x / sum.y;
+}
+#endif
+#endif
+
 #ifdef OCCLUSION_BENT_NORMAL
 // The share of the sky that is open, as if it were lit from about its middle.
 LightSums bentSums(vec4 open, vec3 normal, int group)
 {
-    LightSums sums = LightSums(vec4(0.0), vec4(0.0), vec2(0.0));
+    LightSums sums = LightSums(vec4(0.0), vec4(0.0));
     int count = lightCount();
     vec3 middle = normalize(open.xyz + 1e-20 * normal);
     for (int i = 0; i < count; ++i) {
@@ -185,9 +244,8 @@ void main()
     RayMarch march = pixelRays(receiver);
 #endif
 #ifdef HAS_LOBES
-    bool glossy = pixelBrdf(p) != BRDF_LAMBERT;
-    float roughness = texelFetch(normalMap, p, 0).a;
-    vec3 view = lightsFromEye() * -viewRay(inverseProjection, pixelNdc(p));
+    Lobe lobe = lobeAt(p, receiver.normal);
+    LobeLights lobeLights = LobeLights(vec3(0.0), vec3(0.0), vec2(0.0));
 #endif
 #ifdef HAS_ATLAS
     vec3 point = vec3(atlasFromEye * vec4(receiver.eye, 1.0));
@@ -195,8 +253,7 @@ void main()
 #ifdef OCCLUSION_BENT_NORMAL
     LightSums sums = bentSums(open, normal, group);
 #else
-    // lobe: sums of solid angle times the lobe that S integrates: not the light in it, of which S knows more than these lights do.
-    LightSums sums = LightSums(vec4(0.0), vec4(0.0), vec2(0.0));
+    LightSums sums = LightSums(vec4(0.0), vec4(0.0));
     int count = lightCount();
     for (int first = 0; first < count; first += 32) {
         uint left = lightsAbove(group, first, normal);
@@ -214,10 +271,6 @@ void main()
             float c = dot(normal, direction);
             e *= c;
             sums.den += e;
-#ifdef HAS_LOBES
-            float l = glossy ? e.a * lobeShare(normal, view, direction, roughness) : 0.0;
-            sums.lobe.y += l;
-#endif
             bool seen = true;
 #ifdef OCCLUSION_SLICES
             seen = !sliceBlocks(slices, direction);
@@ -235,19 +288,24 @@ void main()
 #ifdef HAS_ATLAS
             seen = seen && atlasSees(light, point, normal, c) > 0.5;
 #endif
-            if (seen) {
-                sums.num += e;
+            if (seen) sums.num += e;
 #ifdef HAS_LOBES
-                sums.lobe.x += l;
+            addToLobe(lobe, e, direction, seen ? 1.0 : 0.0, lobeLights);
 #endif
-            }
         }
     }
+#endif
+#if defined(HAS_LOBES) && defined(HAS_ATLAS)
+    if (lobe.roughness < NARROW_ROUGHNESS && lobe.bsdf.brdf != BRDF_LAMBERT)
+        lobeLights = LobeLights(vec3(mirrorOpen(lobe, point, normal)), vec3(1.0), vec2(mirrorOpen(lobe, point, normal), 1.0));
+#endif
+#ifdef HAS_LOBES
+    lobeTexel = packLobeLights(lobeLights);
 #endif
     sumsTexel = packSums(sums);
     SumsPlace place;
     place.normal = receiver.normal;
     place.facet = pixelFacet(p, receiver.eye, receiver.normal, receiver.footprint);
     place.depth = texelFetch(depthMap, p, 0).r;
-    placeTexel = packPlace(place, sums.lobe);
+    placeTexel = packPlace(place);
 }

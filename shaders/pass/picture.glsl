@@ -2,7 +2,7 @@
 // L = L_e + S + D - O [seed 000, eq. 3] and the bounce, from what the passes left, and the map behind the scene.
 #ifndef PICTURE_GLSL
 #define PICTURE_GLSL
-#pragma import_defines(BACKGROUND_BLUR, HAS_SPECULAR, HAS_BOUNCE, HAS_LOBES, BACKGROUND)
+#pragma import_defines(BACKGROUND_BLUR, HAS_SPECULAR, HAS_BOUNCE, HAS_LOBES, HAS_REFLECTED, BACKGROUND)
 
 #include "lib/constants.glsl"
 #include "lib/latlong.glsl"
@@ -12,7 +12,11 @@
 #include "pass/terms.glsl"
 
 uniform sampler2D specularTermMap;
+#ifdef HAS_REFLECTED
+uniform sampler2D reflectedMap;  // what the scene sends into the lobe
+#else
 uniform sampler2D blockedLobeMap;
+#endif
 uniform sampler2D latlongMap;
 uniform sampler2D pyramidMap;
 uniform float pyramidSide;
@@ -39,20 +43,21 @@ vec3 specularTerm(ivec2 p)
 #endif
 }
 
-// What other surfaces send here, from all directions that are blocked.
+// What other surfaces send here, from all directions that are blocked: what the Lambert layer sends on of it, and the lobe.
 vec3 bounce(ivec2 p)
 {
-#ifdef HAS_BOUNCE
+    vec3 sent = vec3(0.0);
     vec3 n = pixelNormal(p);
+#ifdef HAS_BOUNCE
     vec3 rho = texelFetch(albedoMap, p, 0).rgb * texelFetch(diffuseTermMap, p, 0).a;
-    vec3 sent = rho * (1.0 - ambientVisibility(p)) * meanRadiance(n);
-#ifdef HAS_LOBES
+    sent += rho * (1.0 - ambientVisibility(p)) * meanRadiance(n);
+#endif
+#if defined(HAS_REFLECTED)
+    sent += texelFetch(reflectedMap, p, 0).rgb;
+#elif defined(HAS_LOBES) && defined(HAS_BOUNCE)
     sent += texelFetch(blockedLobeMap, p, 0).rgb * meanRadiance(reflect(viewRay(inverseProjection, pixelNdc(p)), n));
 #endif
     return sent;
-#else
-    return vec3(0.0);
-#endif
 }
 
 vec3 surfaceRadiance(ivec2 p)

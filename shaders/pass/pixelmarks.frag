@@ -1,17 +1,18 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// Marks for the depth test of the passes after this one: does a pixel show a surface, has that a lobe?
+// Marks for the depth test of the passes after this one: does a pixel show a surface, has that a lobe, and a narrow one?
 #pragma import_defines(HAS_LOBES)
 
 #include "lib/limits.glsl"
 #include "pass/gbuffer.glsl"
+#include "pass/lobewidth.glsl"
 
 void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
     float mark = MARK_SURFACE;
 #ifdef HAS_LOBES
-    if (pixelBrdf(p) != BRDF_LAMBERT) mark = MARK_GLOSSY;
+    if (pixelBrdf(p) != BRDF_LAMBERT) mark = texelFetch(normalMap, p, 0).a < TRACED_ROUGHNESS ? MARK_TRACED : MARK_GLOSSY;
 #endif
     gl_FragDepth = isBackground(p) ? MARK_NONE : mark;
 }

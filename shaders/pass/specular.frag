@@ -1,19 +1,20 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// S: the glossy term, the integral of L f_H cos [seed 000, eq. 3, first term], by filtered importance sampling
-// [Colbert, Krivanek 2008]: directions from the BRDF, each look-up as wide as the sample's share of the lobe.
-// Radiance in units of the map's mean.
-#pragma import_defines(HAS_SUNS, HAS_LOBES, LOBES_UNOCCLUDED)
+// S, first part: the map's radiance in the lobe, the integral of L f_H cos [seed 000, eq. 3, first term] over the lobe's albedo, as
+// sums that the filter averages over a 4x4 cell, each pixel with samples of its own [specular.md 2]. Narrow lobes by filtered
+// importance sampling [Colbert, Krivanek 2008]: directions from the BRDF, each look-up as wide as the sample's share of the lobe;
+// wide ones by a sixteenth of the texels of a coarse level. Radiance in units of the map's mean.
+#pragma import_defines(HAS_SUNS)
 
+#include "lib/bilateral.glsl"
 #include "lib/frame.glsl"
-#include "lib/fresnel.glsl"
-#include "lib/ggx.glsl"
 #include "lib/latlong.glsl"
+#include "lib/limits.glsl"
 #include "lib/octahedral.glsl"
-#include "lib/phong.glsl"
 #include "lib/sequence.glsl"
 #include "pass/gbuffer.glsl"
 #include "pass/albedo.glsl"
+#include "pass/lobewidth.glsl"
 #ifdef HAS_SUNS
 #include "pass/suns.glsl"
 #endif
@@ -26,34 +27,25 @@ uniform int specularSamples;
 uniform vec2 sampleShift;    // of the points, in a still view
 uniform float sampleFrames;  // that will be averaged: each sample is as narrow as a share of theirs
 
-layout(location = 0) out vec4 specular;
-#ifdef HAS_LOBES
-layout(location = 1) out vec4 blockedLobe; // the part of the lobe's albedo that surfaces take from the map
-uniform sampler2D lobeSeenMap;
+layout(location = 0) out vec4 estimate;  // radiance times weight, weight
+#ifdef HAS_SUNS
+layout(location = 1) out vec4 sunGlint;
 #endif
-
-// Share of the map's light in the lobe that reaches the pixel.
-float lobeSeen()
-{
-#ifdef HAS_LOBES
-    return texelFetch(lobeSeenMap, ivec2(gl_FragCoord.xy), 0).r;
-#else
-    return 1.0;
-#endif
-}
-
-// That of S: a still view's average takes what is blocked from it light by light.
-float shownLobe()
-{
-#ifdef LOBES_UNOCCLUDED
-    return 1.0;
-#else
-    return lobeSeen();
-#endif
-}
 
 // Below this alpha one look-up at the map's own resolution is the lobe: a texel of a 1024-wide map is wider.
 const float MIRROR_ALPHA = 0.0009;
+// From samples to texels of a level that is WIDE_SIDE wide.
+const vec2 WIDE_ROUGHNESS = vec2(0.4, 0.5);
+const float WIDE_SIDE = 32.0;
+
+struct LobePixel {
+    Bsdf bsdf;
+    float alpha;
+    vec3 view;        // local
+    mat3 mapFromLocal;
+    int group;        // number in its cell
+    float companions; // pixels that the filter averages with this one
+};
 
 vec3 mirror(vec3 d)
 {
@@ -71,21 +63,21 @@ vec2 nextAzimuth(vec2 azimuth, vec2 turn)
     return vec2(azimuth.x * turn.x - azimuth.y * turn.y, azimuth.x * turn.y + azimuth.y * turn.x);
 }
 
-vec2 firstAzimuth()
+vec2 firstAzimuth(LobePixel l)
 {
-    return unitVector(TWO_PI * (0.5 / float(specularSamples) + sampleShift.x));
+    return unitVector(TWO_PI * (cellPoint(0, l.group, specularSamples).x + 0.5 / float(specularSamples) + sampleShift.x));
 }
 
 // The other number of sample i, in [0,1).
-float sampleHeight(int i)
+float sampleHeight(LobePixel l, int i)
 {
-    return fract(hammersley(uint(i), uint(specularSamples)).y + sampleShift.y);
+    return fract(cellPoint(i, l.group, specularSamples).y + sampleShift.y);
 }
 
 // The level of the pyramid whose texels are as wide as one of the samples at density 1; half the density's log2 finer is right.
-float lodOfUnitDensity()
+float lodOfUnitDensity(LobePixel l)
 {
-    return log2(pyramidSide) - 0.5 * log2(4.0 * PI * float(specularSamples) * sampleFrames);
+    return log2(pyramidSide) - 0.5 * log2(4.0 * PI * float(specularSamples) * sampleFrames * l.companions);
 }
 
 vec3 filtered(vec3 d, float lod)
@@ -93,97 +85,165 @@ vec3 filtered(vec3 d, float lod)
     return pyramidLookup(pyramidMap, pyramidSide, pyramidLastLevel, d, lod);
 }
 
-#ifdef HAS_COOK_TORRANCE
-// Ratio estimator: sum(w F L) / sum(w) times the exact albedo, so that a constant map reflects exactly.
-vec3 cookTorrance(vec3 v, mat3 mapFromLocal, vec3 f0, float roughness)
+// How many of a row's or column's four pixels share this one's lobe, by how much it turns from one to the next.
+float companionsAlong(ivec2 p, ivec2 direction, float viewTurn, float narrowness)
 {
-    float alpha = roughness * roughness;
-    vec2 table = lobeAlbedo(roughness, v.z);
-    float single = table.x + table.y;
-    Bsdf b = makeBsdf(BRDF_COOK_TORRANCE, f0, roughness, table);
-#ifdef HAS_LOBES
-    blockedLobe = vec4((1.0 - lobeSeen()) * b.reflected, 0.0);
-#endif
-    if (alpha < MIRROR_ALPHA) return shownLobe() * fresnelSchlick(f0, v.z) * mirror(mapFromLocal * vec3(-v.x, -v.y, v.z));
-    GgxCap cap = ggxCap(v, alpha);
-    float rootV = ggxRoot(v.z, alpha);
-    float lodOfUnitSpread = lodOfUnitDensity() - 0.5 * log2(ggxPdfFactor(v.z, rootV, alpha));
-    vec2 azimuth = firstAzimuth();
+    ivec2 last = ivec2(viewportSize) - 1;
+    vec3 d = pixelNormal(min(p + direction, last)) - pixelNormal(max(p - direction, ivec2(0)));
+    float turn = lobeTurn(0.5 * d, viewTurn);  // per pixel
+    return min(1.0 + 1.77 / max(turn * sqrt(narrowness), 1e-3), 4.0);
+}
+
+LobePixel lobePixel(ivec2 p)
+{
+    vec3 n = pixelNormal(p);
+    float roughness = texelFetch(normalMap, p, 0).a;
+    mat3 eyeFromLocal = frameAround(n);
+    LobePixel l;
+    l.view = pixelView(p, eyeFromLocal);
+    l.mapFromLocal = mapFromEye * eyeFromLocal;
+    l.bsdf = bsdfOf(pixelBrdf(p), texelFetch(specularMap, p, 0).rgb, roughness, l.view.z);
+    l.alpha = roughness * roughness;
+    l.group = bayer4(p.x, p.y);
+    float narrowness = lobeNarrowness(roughness, SHARED_TURN);
+    float viewTurn = pixelTurn(pixelNdc(p));
+    l.companions = sampleFrames > 1.0 ? 1.0 : companionsAlong(p, ivec2(1, 0), viewTurn, narrowness) *
+                                              companionsAlong(p, ivec2(0, 1), viewTurn, narrowness);
+    return l;
+}
+
+#ifdef HAS_COOK_TORRANCE
+// A sum of the lobe's weights over their mean, the albedo: of sums that are divided by it an even map has no noise.
+float shareOfAlbedo(LobePixel l, vec3 weights)
+{
+    return dot(weights, vec3(1.0)) / max(dot(l.bsdf.reflected, vec3(1.0)), 1e-4);
+}
+
+vec4 cookTorrance(LobePixel l, int samples)
+{
+    vec3 v = l.view;
+    GgxCap cap = ggxCap(v, l.alpha);
+    float rootV = ggxRoot(v.z, l.alpha);
+    float lodOfUnitSpread = lodOfUnitDensity(l) - 0.5 * log2(ggxPdfFactor(v.z, rootV, l.alpha));
+    vec2 azimuth = firstAzimuth(l);
     vec2 turn = unitVector(TWO_PI / float(specularSamples));
     vec3 num = vec3(0.0);
-    float den = 0.0;
-    for (int i = 0; i < specularSamples; ++i) {
-        vec3 h = ggxCapNormal(cap, azimuth, sampleHeight(i));
+    vec3 den = vec3(0.0);
+    for (int i = 0; i < samples; ++i) {
+        vec3 h = ggxCapNormal(cap, azimuth, sampleHeight(l, i));
         azimuth = nextAzimuth(azimuth, turn);
         float c = dot(v, h);
-        vec3 l = 2.0 * c * h - v;
-        float w = l.z > 0.0 ? ggxUnshadowed(v.z, rootV, l.z, ggxRoot(l.z, alpha)) : 0.0;
-        num += w * fresnelSchlick(f0, c) * filtered(mapFromLocal * l, lodOfUnitSpread + log2(ggxSpread(h, alpha)));
-        den += w;
+        vec3 d = 2.0 * c * h - v;
+        float w = d.z > 0.0 ? ggxUnshadowed(v.z, rootV, d.z, ggxRoot(d.z, l.alpha)) : 0.0;
+        vec3 weight = w * fresnelSchlick(l.bsdf.f0, c);
+        num += weight * filtered(l.mapFromLocal * d, lodOfUnitSpread + log2(ggxSpread(h, l.alpha)));
+        den += weight;
     }
-    vec3 sum = den > 0.0 ? num / den * (single * shownLobe()) : vec3(0.0);
-#ifdef HAS_SUNS
-    for (int i = 0; i < sunCount; ++i) {
-        vec3 s = sunDirection[i] * mapFromLocal;
-        sum += sunVisibility(i) * sunRadiance[i] * fresnelSchlick(f0, dot(normalize(v + s), v)) * ggxDisc(s, v, alpha, sunRadius[i]);
-    }
-#endif
-    return sum * b.energy;
+    return vec4(num * l.bsdf.energy, shareOfAlbedo(l, den * l.bsdf.energy)) / float(specularSamples);
 }
 #endif
 
 #ifdef HAS_PHONG
-vec3 phong(vec3 v, mat3 mapFromLocal, vec3 ks, float roughness)
+vec4 phong(LobePixel l, int samples)
 {
-    vec3 r = vec3(-v.x, -v.y, v.z);
-    float n = phongExponent(roughness);
-    mat3 lobe = frameAround(r);
-    float scale = (n + 2.0) / (n + 1.0);
-#ifdef HAS_LOBES
-    blockedLobe = vec4((1.0 - lobeSeen()) * ks, 0.0);
-#endif
-    if (roughness * roughness < MIRROR_ALPHA) return shownLobe() * ks * scale * v.z * mirror(mapFromLocal * r);
-    vec2 azimuth = firstAzimuth();
+    float n = phongExponent(l.bsdf.roughness);
+    mat3 lobe = frameAround(vec3(-l.view.x, -l.view.y, l.view.z));
+    vec2 azimuth = firstAzimuth(l);
     vec2 turn = unitVector(TWO_PI / float(specularSamples));
-    float unitLod = lodOfUnitDensity();
+    float unitLod = lodOfUnitDensity(l);
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < specularSamples; ++i) {
-        float logU = log(max(1.0 - sampleHeight(i), 1e-30));
-        vec3 l = lobe * phongDirection(n, azimuth, logU);
+    for (int i = 0; i < samples; ++i) {
+        float logU = log(max(1.0 - sampleHeight(l, i), 1e-30));
+        vec3 d = lobe * phongDirection(n, azimuth, logU);
         azimuth = nextAzimuth(azimuth, turn);
         float lod = unitLod - 0.5 * phongLogPdf(n, logU) / log(2.0);
-        sum += max(l.z, 0.0) * filtered(mapFromLocal * l, lod);
+        sum += max(d.z, 0.0) * filtered(l.mapFromLocal * d, lod);
     }
-    sum *= shownLobe() * scale / float(specularSamples);
-#ifdef HAS_SUNS
-    for (int i = 0; i < sunCount; ++i) {
-        vec3 s = sunDirection[i] * mapFromLocal;
-        sum += sunVisibility(i) * sunRadiance[i] * (n + 2.0) / TWO_PI * phongDisc(r, s, n, sunRadius[i]) *
-               (discIrradianceOverPi(s.z, sunRadius[i]) / (sin(sunRadius[i]) * sin(sunRadius[i])));
+    return vec4(l.bsdf.f0 * ((n + 2.0) / (n + 1.0)) * sum / float(specularSamples), 1.0);
+}
+#endif
+
+// Of radiance and weight, by samples of the lobe; their weight is 1 in the mean.
+vec4 sampled(LobePixel l, int samples)
+{
+    vec3 r = vec3(-l.view.x, -l.view.y, l.view.z);
+    bool isMirror = l.alpha < MIRROR_ALPHA;
+    vec3 reflected = mirror(l.mapFromLocal * r);
+#ifdef HAS_COOK_TORRANCE
+    if (l.bsdf.brdf == BRDF_COOK_TORRANCE)
+        return isMirror ? vec4(fresnelSchlick(l.bsdf.f0, l.view.z) * reflected, 1.0) : cookTorrance(l, samples);
+#endif
+#ifdef HAS_PHONG
+    if (l.bsdf.brdf == BRDF_PHONG) {
+        float n = phongExponent(l.bsdf.roughness);
+        return isMirror ? vec4(l.bsdf.f0 * ((n + 2.0) / (n + 1.0) * l.view.z) * reflected, 1.0) : phong(l, samples);
     }
 #endif
-    return ks * sum;
+    return vec4(0.0);
+}
+
+// What the lobe sends on of light from d, times the cosine, and the weight of that.
+vec4 response(LobePixel l, vec3 d)
+{
+    vec3 f = max(d.z, 0.0) * bsdfLobe(l.bsdf, l.view, d);
+#ifdef HAS_COOK_TORRANCE
+    if (l.bsdf.brdf == BRDF_COOK_TORRANCE) return vec4(f, shareOfAlbedo(l, f));
+#endif
+    return vec4(f, 1.0 / (4.0 * PI));
+}
+
+// By every fourth texel along both axes; the cell's pixels take the others.
+vec4 summed(LobePixel l, float side, int texels)
+{
+    float level = log2(pyramidSide / side);
+    ivec2 corner = ivec2(pyramidCorner(pyramidSide, side, level)) + 1;
+    int columns = int(side) / 4;
+    ivec2 first = ivec2(l.group & 3, l.group >> 2);
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < texels; ++i) {
+        ivec2 texel = 4 * ivec2(i % columns, i / columns) + first;
+        vec2 st = (vec2(texel) + 0.5) / side;
+        vec3 d = directionFromOctahedral(st) * l.mapFromLocal;
+        vec4 r = response(l, d) * (octahedralSolidAngleDensity(st) / (side * side));
+        sum += r * vec4(texelFetch(pyramidMap, corner + texel, 0).rgb, 1.0);
+    }
+    return float(LIGHT_GROUPS) * sum;
+}
+
+#ifdef HAS_SUNS
+vec3 glint(LobePixel l)
+{
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < sunCount; ++i) {
+        vec3 s = sunDirection[i] * l.mapFromLocal;
+        vec3 e = sunVisibility(i) * sunRadiance[i];
+#ifdef HAS_COOK_TORRANCE
+        if (l.bsdf.brdf == BRDF_COOK_TORRANCE && l.alpha >= MIRROR_ALPHA)
+            sum += e * l.bsdf.energy * fresnelSchlick(l.bsdf.f0, dot(normalize(l.view + s), l.view)) * ggxDisc(s, l.view, l.alpha, sunRadius[i]);
+#endif
+#ifdef HAS_PHONG
+        if (l.bsdf.brdf == BRDF_PHONG && l.alpha >= MIRROR_ALPHA) {
+            float n = phongExponent(l.bsdf.roughness);
+            sum += e * l.bsdf.f0 * (n + 2.0) / TWO_PI * phongDisc(vec3(-l.view.x, -l.view.y, l.view.z), s, n, sunRadius[i]) *
+                   (discIrradianceOverPi(s.z, sunRadius[i]) / (sin(sunRadius[i]) * sin(sunRadius[i])));
+        }
+#endif
+    }
+    return sum;
 }
 #endif
 
 void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
-    specular = vec4(0.0);
-#ifdef HAS_LOBES
-    blockedLobe = vec4(0.0);
-#endif
-    vec4 f0 = texelFetch(specularMap, p, 0);
-    int brdf = pixelBrdf(p);
-    vec3 n = pixelNormal(p);
-    float roughness = texelFetch(normalMap, p, 0).a;
-    mat3 eyeFromLocal = frameAround(n);
-    vec3 v = pixelView(p, eyeFromLocal);
-    mat3 mapFromLocal = mapFromEye * eyeFromLocal;
-#ifdef HAS_COOK_TORRANCE
-    if (brdf == BRDF_COOK_TORRANCE) specular = vec4(cookTorrance(v, mapFromLocal, f0.rgb, roughness), 1.0);
-#endif
-#ifdef HAS_PHONG
-    if (brdf == BRDF_PHONG) specular = vec4(phong(v, mapFromLocal, f0.rgb, roughness), 1.0);
+    LobePixel l = lobePixel(p);
+    float wide = smoothstep(WIDE_ROUGHNESS.x, WIDE_ROUGHNESS.y, l.bsdf.roughness);
+    float side = min(WIDE_SIDE, pyramidSide);
+    estimate = (1.0 - wide) * sampled(l, wide < 1.0 ? specularSamples : 0);
+    estimate += wide * summed(l, side, wide > 0.0 ? int(side * side) / LIGHT_GROUPS : 0);
+    // Neighbours of other colours share what lies behind them, not their colour.
+    estimate.rgb /= max(l.bsdf.reflected, vec3(1e-4));
+#ifdef HAS_SUNS
+    sunGlint = vec4(glint(l), 1.0);
 #endif
 }

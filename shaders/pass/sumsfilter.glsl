@@ -22,25 +22,23 @@ LightSums filteredSums(ivec2 p, ivec2 direction, SumsPlace place)
     PixelPlane plane = pixelPlane(eye, place.facet, 1.5 * footprint);
     int halfWidth = 2 * filterCells;
     ivec2 last = ivec2(viewportSize) - 1;
-    LightSums mean = LightSums(vec4(0.0), vec4(0.0), vec2(0.0));
+    LightSums mean = LightSums(vec4(0.0), vec4(0.0));
     float share = 0.0;
     int i = -halfWidth;
     do {
         ivec2 q = p + i * direction;
         ivec2 known = clamp(q, ivec2(0), last);
-        uvec4 placeTexel = texelFetch(placeMap, known, 0);
-        SumsPlace there = unpackPlace(placeTexel);
+        SumsPlace there = unpackPlace(texelFetch(placeMap, known, 0));
         bool counts = q == known && there.depth < 1.0;
         float w = counts ? cellWeight(i, halfWidth) / float(2 * halfWidth) *
                   surfaceWeight(planeDistance(plane, q, there.depth), dot(place.normal, there.normal)) : 0.0;
-        LightSums s = unpackSums(texelFetch(sumsMap, known, 0), placeTexel);
+        LightSums s = unpackSums(texelFetch(sumsMap, known, 0));
         mean.num += w * s.num;
         mean.den += w * s.den;
-        mean.lobe += w * s.lobe;
         share += w;
     } while (++i <= halfWidth);
 #ifdef COMBINE_SUBTRACT
-    mean = LightSums(mean.num / share, mean.den / share, mean.lobe / share);
+    mean = LightSums(mean.num / share, mean.den / share);
 #endif
     return mean;
 }

@@ -50,6 +50,7 @@ void measure(const std::string& sceneName, const std::string& map, const std::ve
     suite::SuiteScene scene = suite::makeScene(sceneName);
     if (!scene.lit || !suite::setMap(*scene.lit, map)) throw std::runtime_error(sceneName + " or " + map + " is not installed");
     scene.lit->getSettings()->bounce = osgEnvLight::Settings::BOUNCE_OFF;
+    scene.lit->getSettings()->reflections = osgEnvLight::Settings::REFLECTIONS_MAP;
     scene.lit->getSettings()->accumulate = true;
     for (const std::string& s : settings) {
         std::string error;

@@ -32,7 +32,7 @@ const std::vector<Defines> alternatives = {
 const std::vector<std::pair<std::string, std::string>> needs = {
     {"SUNS_OVER_4", "SUNS_OVER_2"},    {"SUNS_OVER_6", "SUNS_OVER_4"},     {"BACKGROUND_BLUR", "BACKGROUND"},
     {"HAS_OCCLUSION", "HAS_DIFFUSE"},  {"HAS_BOUNCE", "HAS_OCCLUSION"},    {"SUN_DIFFUSE", "HAS_SUNS"},
-    {"LOBES_UNOCCLUDED", "HAS_LOBES"}, {"HAS_NEIGHBOURHOOD", "HAS_ATLAS"},
+    {"HAS_NEIGHBOURHOOD", "HAS_ATLAS"},
 };
 
 void extend(const Defines& defines, size_t next, Defines& set, std::vector<Defines>& result)

@@ -29,6 +29,7 @@ osg::ref_ptr<LitScene> stillScene(osg::Image* map)
     s.regeneration = Settings::IMMEDIATE;
     s.accumulate = true;
     s.bounce = Settings::BOUNCE_OFF;
+    s.reflections = Settings::REFLECTIONS_MAP;
     s.atlasLights = 64;  // of the first frame, which these tests are not about
     s.accumulateLights = 16;
     s.accumulateSize = 512;
@@ -121,6 +122,7 @@ TEST(Accumulation, ARoomLitThroughASlotConverges)
     Settings& s = *scene.lit->getSettings();
     s.accumulate = true;
     s.bounce = Settings::BOUNCE_OFF;
+    s.reflections = Settings::REFLECTIONS_MAP;
     SceneRenderer renderer(64, 48);
     renderer.lookAt(scene.eye, scene.target, osg::Vec3d(0, 0, 1), scene.fovy);
     const Picture first = renderer.render(scene.lit);

@@ -66,6 +66,7 @@ class Streets : public testing::Test
         Settings& s = *lit->getSettings();
         s.view = Settings::BEAUTY;
         s.bounce = Settings::BOUNCE_OFF;
+        s.reflections = Settings::REFLECTIONS_MAP;
         s.atlasLights = atlasLights;
         return s;
     }

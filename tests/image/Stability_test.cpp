@@ -169,6 +169,7 @@ TEST(Stability, ShadowsOfColouredLightsHaveTheirColours)
                       return osg::Vec3d(0.05, 0.05, 0.05) + osg::Vec3d(4, 0, 0) * left + osg::Vec3d(0, 0, 4) * right;
                   }).get());
     lit->getSettings()->bounce = Settings::BOUNCE_OFF;
+    lit->getSettings()->reflections = Settings::REFLECTIONS_MAP;
     renderer.lookAt(osg::Vec3d(0, -6, 5), osg::Vec3d(0, -0.5, 0));
     const Picture p = renderer.render(lit, 2);
     const Picture truth = tracedView(*lit, renderer, 64, {osgEnvLight::Layer::BEAUTY}).mean(osgEnvLight::Layer::BEAUTY);

@@ -39,6 +39,7 @@ osg::ref_ptr<LitScene> beauty(const osg::ref_ptr<osg::Image>& map)
     lit->getSettings()->visibility = Settings::VISIBILITY_ATLAS;
     lit->getSettings()->regeneration = Settings::IMMEDIATE;
     lit->getSettings()->bounce = Settings::BOUNCE_OFF;
+    lit->getSettings()->reflections = Settings::REFLECTIONS_MAP;
     return lit;
 }
 

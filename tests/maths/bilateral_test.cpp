@@ -5,7 +5,6 @@
 
 using namespace testmaths;
 
-
 TEST(bilateral, EveryGroupOfTheCellWeighsTheSame)
 {
     for (int cells = 1; cells <= 8; ++cells)
@@ -41,4 +40,18 @@ TEST(bilateral, FallsWithDistanceAndAngle)
         EXPECT_LT(w, before);
         before = w;
     }
+}
+
+TEST(bilateral, LobesOfTurnedNormalsCountByTheirWidth)
+{
+    for (const double roughness : {0.05, 0.2, 0.6, 1.0}) {
+        const double narrowness = glsl::lobeNarrowness(roughness, 0.5);
+        EXPECT_EQ(glsl::lobeWeight(0.0, narrowness), 1.0);
+        EXPECT_NEAR(glsl::lobeWeight(0.5 * roughness * roughness, narrowness), std::exp(-1.0), 1e-12) << roughness;
+    }
+    EXPECT_NEAR(glsl::lobeTurn(glsl::vec3(0.03, 0.0, 0.04), 0.02), 0.06, 1e-15);
+    EXPECT_TRUE(std::isfinite(glsl::lobeNarrowness(0.0, 0.5)));
+    EXPECT_EQ(glsl::alikeWeight(0.0), 1.0);
+    EXPECT_NEAR(glsl::alikeWeight(0.1), std::exp(-1.0), 1e-12);
+    EXPECT_EQ(glsl::alikeWeight(0.1), glsl::alikeWeight(-0.1));
 }

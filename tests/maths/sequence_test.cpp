@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
+#include <vector>
 
 #include "Maths.h"
 
@@ -46,6 +48,45 @@ TEST(sequence, HammersleyStaysInsideTheSquare)
             EXPECT_GT(p.y, 0.0);
             EXPECT_LT(p.y, 1.0) << i << " of " << n;
         }
+}
+
+namespace
+{
+
+// How unevenly points lie in the torus [0,1)^2: the root mean square error that they leave in integrating functions of period 1,
+// times their number [Sloan, Joe 1994, P_2].
+double unevenness(const std::vector<vec2>& points)
+{
+    const auto kernel = [](double d) {
+        const double t = d - std::floor(d);
+        return 1.0 + 2.0 * pi * pi * (t * t - t + 1.0 / 6.0);
+    };
+    double sum = 0.0;
+    for (const vec2& a : points)
+        for (const vec2& b : points) sum += kernel(a.x - b.x) * kernel(a.y - b.y);
+    const double n = double(points.size());
+    return std::sqrt(sum / (n * n) - 1.0) * n;
+}
+
+}  // namespace
+
+// Each pixel's, and all of a cell's: no worse than Hammersley's of as many, by more than a tenth (measured: .0501 at 4 a pixel).
+TEST(sequence, CellPointsAreEvenInAPixelAndInACell)
+{
+    for (const int n : {4, 8, 16, 32}) {
+        std::vector<vec2> cell, hammersley;
+        for (int pixel = 0; pixel < 16; ++pixel) {
+            std::vector<vec2> own, reference;
+            for (int j = 0; j < n; ++j) {
+                own.push_back(glsl::cellPoint(j, pixel, n));
+                reference.push_back(glsl::hammersley(unsigned(j), unsigned(n)));
+            }
+            EXPECT_LE(unevenness(own), 1.1 * unevenness(reference)) << n << " of pixel " << pixel;
+            cell.insert(cell.end(), own.begin(), own.end());
+        }
+        for (unsigned i = 0; i < cell.size(); ++i) hammersley.push_back(glsl::hammersley(i, unsigned(cell.size())));
+        EXPECT_LE(unevenness(cell), 1.1 * unevenness(hammersley)) << n;
+    }
 }
 
 TEST(sequence, BayerMatrix)

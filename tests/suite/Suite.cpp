@@ -183,6 +183,7 @@ class Measurement
     {
         setCamera(scene, variation.orthographic, _renderer);
         _settings.bounce = Settings::BOUNCE_OFF;
+        _settings.reflections = Settings::REFLECTIONS_MAP;
         for (const auto& [name, value] : settingsOfAllRows) apply(_settings, name, value);
         for (const auto& [name, value] : variation.settings) apply(_settings, name, value);
     }
@@ -253,8 +254,10 @@ class Measurement
         };
         r.withoutBounce = compare(r.picture).tRmse;
         _settings.bounce = Settings::BOUNCE_MEAN;
+        _settings.reflections = Settings::REFLECTIONS_SCREEN;
         const ErrorFigures e = compare(_renderer.render(&_lit));
         _settings.bounce = Settings::BOUNCE_OFF;
+        _settings.reflections = Settings::REFLECTIONS_MAP;
         r.figures[BOUNCED] = e.tRmse;
         r.noise[BOUNCED] = noiseOf(e.tNoise, e.pixels);
     }

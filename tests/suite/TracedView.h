@@ -9,7 +9,8 @@
 /** The scene as the renderer's camera sees it now, its map unturned, by that many samples a pixel.
  * @param antialias  over the pixel, as a still view's average; else at its middle, as a normal frame */
 inline osgEnvLight::ReferenceResult tracedView(osgEnvLight::LitScene& lit, SceneRenderer& renderer, unsigned samples,
-                                               const std::set<osgEnvLight::Layer>& layers, bool antialias = true)
+                                               const std::set<osgEnvLight::Layer>& layers, bool antialias = true,
+                                               osgEnvLight::ReferenceOptions::Paths paths = osgEnvLight::ReferenceOptions::DIRECT)
 {
     osg::Camera& camera = *renderer.viewer().getCamera();
     std::string error;
@@ -21,6 +22,7 @@ inline osgEnvLight::ReferenceResult tracedView(osgEnvLight::LitScene& lit, Scene
     osgEnvLight::ReferenceOptions options;
     options.estimator = osgEnvLight::ReferenceOptions::MIS;
     options.samples = samples;
+    options.paths = paths;
     options.antialias = antialias;
     return osgEnvLight::Reference(rays, eye, environment).render(options, layers);
 }

@@ -24,6 +24,18 @@ osg::Texture2D* AtlasLights::texture(const std::string& name, const ShadowAtlas&
     return e.texture.get();
 }
 
+osg::Texture2D* AtlasLights::nearest(const std::string& name, const ShadowAtlas& atlas)
+{
+    Entry& e = _entries[name + ", nearest"];
+    e.used = true;
+    if (e.atlas == &atlas && e.version == atlas.version()) return e.texture.get();
+    const osg::ref_ptr<osg::Image> image = atlas.nearestImage();
+    const osg::ref_ptr<osg::Texture2D> texture = targetTexture(image->s(), image->t(), GL_RGBA32F_ARB);
+    texture->setImage(image);
+    e = {texture, &atlas, nullptr, atlas.version(), 0, 1.0, true};
+    return e.texture.get();
+}
+
 void AtlasLights::endFrame()
 {
     for (auto it = _entries.begin(); it != _entries.end();)

@@ -21,6 +21,9 @@ class OSGENVLIGHT_EXPORT AtlasLights
      * @param scale  that the fluxes are multiplied by */
     osg::Texture2D* texture(const std::string& name, const ShadowAtlas& atlas, const ShadowAtlas* near, double scale);
 
+    /** ShadowAtlas::nearestImage() of an atlas. */
+    osg::Texture2D* nearest(const std::string& name, const ShadowAtlas& atlas);
+
     /** Forget those that were not asked for since the last call. */
     void endFrame();
     size_t bytes() const;

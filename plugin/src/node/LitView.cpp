@@ -6,6 +6,7 @@
 #include "passes/Output.h"
 #include "passes/PixelMarks.h"
 #include "passes/SkyShadows.h"
+#include "passes/Specular.h"
 #include "passes/StillView.h"
 #include "passes/SunPasses.h"
 
@@ -31,10 +32,14 @@ LitView::LitView(Failure* failure, RetiredObjects* retired, SurfaceSorter* sorte
     graph.add(new FilterRowsPass);
     graph.add(new FilterPass);
     graph.add(new SpecularPass);
+    graph.add(new LobeRowsPass);
+    graph.add(new LobesPass);
     graph.add(new BouncePass);
     graph.add(new BounceSumPass);
     graph.add(new BackgroundPass);
     graph.add(new ResolvePass);
+    graph.add(new ReflectionsPass);
+    graph.add(new ReflectionFilterPass);
     graph.add(new AccumulatePass);
     graph.add(new StillErrorPass);
     graph.add(new CompositePass);

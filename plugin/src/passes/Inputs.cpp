@@ -85,10 +85,12 @@ void readTerms(PassBuilder& b, FrameContext& c)
 {
     readDiffuseTerms(b, c);
     if (b.read("specular", "specularTermMap")) b.define("HAS_SPECULAR");
-    if (b.read("bounce", "bounceMap")) {
-        b.define("HAS_BOUNCE");
-        if (b.read("blocked lobe", "blockedLobeMap")) b.define("HAS_LOBES");
-    }
+    const bool bounces = b.read("bounce", "bounceMap");
+    b.define("HAS_BOUNCE", bounces);
+    if (b.read("reflected", "reflectedMap"))
+        b.define("HAS_REFLECTED");
+    else if (bounces && c.settings.reflections == Settings::REFLECTIONS_SCREEN && b.read("blocked lobe", "blockedLobeMap"))
+        b.define("HAS_LOBES");
 }
 
 void readBackground(PassBuilder& b, FrameContext& c)

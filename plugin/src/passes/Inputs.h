@@ -13,10 +13,14 @@ namespace osgEnvLight
 //   albedo, normal, specular properties, depth, emission   the G-buffer
 //   pixel marks                         where there is a surface, where one with a lobe
 //   diffuse, sun diffuse, sun shaded    D of the map and of the suns, and what the scene leaves of the latter
+//   lobe estimate, sun glint            sums of the map's radiance in a pixel's lobe, and what it reflects of the suns
+//   lobe lights                         sums over a group of lights, of those it sees and all, by the lobe
+//   row estimate, row lobe lights       the same, filtered along rows
 //   specular, blocked lobe              S, and the part of the lobe's albedo that surfaces take from the map
+//   reflection, reflected               what rays through the picture meet, and what the scene sends into the lobes
 //   light sums, light places            sums over a group of lights, where they are from
 //   row sums, row places                the same, filtered along rows
-//   occlusion, lobe visibility          their filtered ratios
+//   occlusion                           their filtered ratio
 //   sun points 0 .. 3                   what a pixel's own points see of the suns
 //   sun visibility 0 and 1, penumbrae   how much a pixel sees of them, and the marks of those that must look closer
 //   bounce                              sums of the radiance of what blocks light

@@ -50,34 +50,4 @@ void DiffusePass::setup(PassBuilder& b, FrameContext& c)
     if (readSunVisibility(b)) b.write(b.create("sun shaded"));
 }
 
-Requirement SpecularPass::require(const FrameContext& c) const
-{
-    Requirement specular;
-    specular.unless(!c.settings.specular, "switched off").unless(c.facts.mapIsBlack, "the map is black");
-    specular.unless(c.facts.surfaces.deferred == 0, c.facts.whyNoneIsDeferred());
-    specular.unless(!c.facts.surfaces.hasLobes(), "no glossy surface in view");
-    return specular.because(counted(size_t(c.settings.specularSamples), "sample") + " a pixel");
-}
-
-void SpecularPass::setup(PassBuilder& b, FrameContext& c)
-{
-    b.readGBuffer();
-    b.settings<SpecularSettings>();
-    b.bind(c.textures.pyramid(), "pyramidMap");
-    b.bind(c.textures.latlong(), "latlongMap");
-    readLobes(b, c);
-    if (c.decisions.suns.needed) {
-        b.define("HAS_SUNS");
-        readSuns(b, c);
-    }
-    readSunVisibility(b);
-    b.drawMarked(b.find("pixel marks"), limits::MARK_GLOSSY);
-    b.write(b.create("specular", {GL_RGBA32F_ARB}));  // a mirrored sun exceeds half floats in units of the map's mean
-    if (!b.read("lobe visibility", "lobeSeenMap")) return;
-    c.remark(", occluded by what the atlas knows");
-    b.define("HAS_LOBES");
-    b.define("LOBES_UNOCCLUDED", c.isAccumulating());
-    b.write(b.create("blocked lobe"));
-}
-
 }  // namespace osgEnvLight

@@ -24,13 +24,4 @@ class OSGENVLIGHT_EXPORT DiffusePass : public RenderPass
     void setup(PassBuilder& builder, FrameContext& context) override;
 };
 
-/** S: the glossy term. */
-class OSGENVLIGHT_EXPORT SpecularPass : public RenderPass
-{
-  public:
-    const char* name() const override { return "specular"; }
-    Requirement require(const FrameContext& context) const override;
-    void setup(PassBuilder& builder, FrameContext& context) override;
-};
-
 }  // namespace osgEnvLight

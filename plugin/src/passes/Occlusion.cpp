@@ -21,7 +21,8 @@ Requirement requireBounce(const FrameContext& c)
 // S is occluded by what the atlas knows.
 bool occludesLobes(const FrameContext& c)
 {
-    return c.decisions.atlas.needed && c.settings.specular && c.facts.surfaces.hasLobes();
+    const Settings& s = c.settings;
+    return c.decisions.atlas.needed && s.specular && s.reflections != Settings::REFLECTIONS_OFF && c.facts.surfaces.hasLobes();
 }
 
 const TextureDesc packed = {GL_RGBA32UI_EXT};  // as in pass/lightsums.glsl
@@ -52,10 +53,14 @@ void OcclusionPass::setup(PassBuilder& b, FrameContext& c)
                                           "OCCLUSION_BENT_NORMAL"};
     if (c.decisions.screen) b.define(methods[c.decisions.atlas.needed ? Settings::SLICE : c.settings.occlusionMethod]);
     if (c.decisions.screen && c.settings.occlusionSlices < 4) b.define("SLICES_" + std::to_string(c.settings.occlusionSlices));
-    b.define("HAS_LOBES", occludesLobes(c));
     drawSurfaces(b);
     b.write(b.create("light sums", packed), noSums);
     b.write(b.create("light places", packed), noPlace);
+    if (!occludesLobes(c)) return;
+    b.define("HAS_LOBES");
+    readLobes(b, c);
+    b.bind(c.atlasLights.nearest("atlas", *c.skyMaps), "nearestLightMap");
+    b.write(b.create("lobe lights", packed), noSums);
 }
 
 Requirement FilterRowsPass::require(const FrameContext& c) const
@@ -91,10 +96,6 @@ void FilterPass::setup(PassBuilder& b, FrameContext& c)
     b.read(b.find("row places"), "placeMap");
     drawSurfaces(b);
     b.write(b.create("occlusion", ofFirstFrame(c, GL_RGBA16F_ARB)), allSeen);
-    if (occludesLobes(c)) {
-        b.define("HAS_LOBES");
-        b.write(b.create("lobe visibility", ofFirstFrame(c, GL_RGBA16F_ARB)), allSeen);
-    }
     if (c.hasFirstFrame()) b.keepContents();
 }
 

@@ -17,7 +17,10 @@ void PixelMarksPass::setup(PassBuilder& b, FrameContext& c)
 {
     b.read("specular properties", "specularMap");
     b.read("depth", "depthMap");
-    b.define("HAS_LOBES", c.facts.surfaces.hasLobes());
+    if (c.facts.surfaces.hasLobes()) {
+        b.define("HAS_LOBES");
+        b.read("normal", "normalMap");
+    }
     b.mark(b.create("pixel marks", {GL_DEPTH_COMPONENT16}));
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 
 #include "glsl.h"
@@ -222,6 +223,30 @@ osg::ref_ptr<osg::Image> ShadowAtlas::lightImage(double scale, const ShadowAtlas
         finer->writePlace(*image, i, 4 * groups, _targets.origin);
         writeRow(*image, i, 67, osg::Vec3d(), finer->showsAs(*this, i) ? 1.0 : -1.0);
     }
+    return image;
+}
+
+osg::ref_ptr<osg::Image> ShadowAtlas::nearestImage() const
+{
+    const int side = 32;  // 6 degrees: half of what 256 lights lie apart
+    std::vector<osg::Vec3f> directions(lights);
+    for (unsigned i = 0; i < lights; ++i) directions[i] = osg::Vec3f(_maps[i].drawn ? _maps[i].along : _list[i].direction);
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(side, side, 1, GL_RGBA, GL_FLOAT);
+    image->setInternalTextureFormat(GL_RGBA32F_ARB);
+    std::vector<float> cosine(lights);
+    std::vector<unsigned> order(lights);
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const glsl::vec3 d = glsl::directionFromOctahedral((glsl::vec2(x, y) + 0.5) / double(side));
+            const osg::Vec3f direction(float(d.x), float(d.y), float(d.z));
+            for (unsigned i = 0; i < lights; ++i) cosine[i] = directions[i] * direction;
+            std::iota(order.begin(), order.end(), 0u);
+            std::partial_sort(order.begin(), order.begin() + 4, order.end(),
+                              [&](unsigned a, unsigned b) { return cosine[a] > cosine[b]; });
+            float* texel = reinterpret_cast<float*>(image->data(unsigned(x), unsigned(y)));
+            std::copy_n(order.begin(), 4, texel);
+        }
     return image;
 }
 

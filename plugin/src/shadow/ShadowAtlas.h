@@ -72,6 +72,9 @@ class OSGENVLIGHT_EXPORT ShadowAtlas : public osg::Referenced
      * @param finer  atlas of the same lights with a focus, of which as many rows follow; null: none */
     osg::ref_ptr<osg::Image> lightImage(double scale, const ShadowAtlas* finer) const;
 
+    /** By direction in the world, an octahedral map: the numbers of the four lights nearest to it; RGBA 32F. */
+    osg::ref_ptr<osg::Image> nearestImage() const;
+
     osg::Texture2D* texture() { return _targets.texture.get(); }
     const ShadowTargets& targets() const { return _targets; }
 

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "passes/Specular.h"
+
+#include "base/Limits.h"
+#include "passes/Inputs.h"
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+Requirement requireSpecular(const FrameContext& c)
+{
+    Requirement specular;
+    specular.unless(!c.settings.specular, "switched off").unless(c.facts.mapIsBlack, "the map is black");
+    specular.unless(c.facts.surfaces.deferred == 0, c.facts.whyNoneIsDeferred());
+    return specular.unless(!c.facts.surfaces.hasLobes(), "no glossy surface in view");
+}
+
+void drawGlossy(PassBuilder& b)
+{
+    b.drawMarked(b.find("pixel marks"), limits::MARK_GLOSSY);
+}
+
+Requirement requireReflections(const FrameContext& c)
+{
+    Requirement reflections = requireSpecular(c);
+    reflections.unless(c.settings.reflections == Settings::REFLECTIONS_OFF, "switched off");
+    reflections.unless(c.settings.view != Settings::BEAUTY, "an intermediate is shown");
+    return reflections.unless(!c.decisions.atlas.needed, "without the atlas nobody knows what blocks the map");
+}
+
+const TextureDesc sums = {GL_RGBA32F_ARB};     // radiance of a mirrored sun exceeds half floats in units of the map's mean
+const TextureDesc packed = {GL_RGBA32UI_EXT};  // as in pass/lobesums.glsl
+
+}  // namespace
+
+Requirement SpecularPass::require(const FrameContext& c) const
+{
+    return requireSpecular(c).because(counted(size_t(c.settings.specularSamples), "sample") + " a pixel");
+}
+
+void SpecularPass::setup(PassBuilder& b, FrameContext& c)
+{
+    b.readGBuffer();
+    b.settings<SpecularSettings>();
+    b.bind(c.textures.pyramid(), "pyramidMap");
+    b.bind(c.textures.latlong(), "latlongMap");
+    readLobes(b, c);
+    drawGlossy(b);
+    b.write(b.create("lobe estimate", sums));
+    if (b.find("lobe lights").valid()) c.remark(", occluded by what the atlas knows");
+    if (!c.decisions.suns.needed) return;
+    b.define("HAS_SUNS");
+    readSuns(b, c);
+    readSunVisibility(b);
+    b.write(b.create("sun glint", sums));
+}
+
+Requirement LobeRowsPass::require(const FrameContext& c) const
+{
+    return requireSpecular(c).because("averages the samples of a cell along rows");
+}
+
+void LobeRowsPass::setup(PassBuilder& b, FrameContext& c)
+{
+    if (c.hasFirstFrame()) return;
+    b.readGBuffer();
+    b.settings<FilterSettings>();
+    b.read(b.find("lobe estimate"), "estimateMap");
+    drawGlossy(b);
+    b.write(b.create("row estimate", sums));
+    if (!b.read("lobe lights", "lobeLightMap")) return;
+    b.define("HAS_LOBE_LIGHTS");
+    b.write(b.create("row lobe lights", packed));
+}
+
+Requirement LobesPass::require(const FrameContext& c) const
+{
+    return requireSpecular(c).because("averages the samples of a cell, the rows along columns");
+}
+
+void LobesPass::setup(PassBuilder& b, FrameContext& c)
+{
+    const bool sharp = c.hasFirstFrame();
+    b.readGBuffer();
+    b.settings<FilterSettings>();
+    readLobes(b, c);
+    b.define("LOBES_SHARP", sharp);
+    b.read(b.find(sharp ? "lobe estimate" : "row estimate"), "estimateMap");
+    if (b.read("sun glint", "sunGlintMap")) b.define("HAS_SUNS");
+    drawGlossy(b);
+    b.write(b.create("specular", sums));
+    if (!b.find("lobe lights").valid()) return;
+    const TextureId blocked = b.create("blocked lobe", ofFirstFrame(c, GL_RGBA16F_ARB));
+    const TextureId shown = c.still ? b.create("lobe shown", ofFirstFrame(c, GL_RGBA16F_ARB)) : TextureId();
+    if (sharp) {
+        b.define("HAS_SHOWN");
+        b.read(shown, "shownMap");
+        return;
+    }
+    b.read(b.find("row lobe lights"), "lobeLightMap");
+    b.define("HAS_LOBE_LIGHTS");
+    b.write(blocked);
+    if (!c.still) return;
+    b.define("KEEPS_SHOWN");
+    b.write(shown);
+}
+
+Requirement ReflectionsPass::require(const FrameContext& c) const
+{
+    return requireReflections(c).because("what the picture shows in the way, " +
+                                         counted(size_t(c.settings.reflectionSteps), "point") + " a ray");
+}
+
+void ReflectionsPass::setup(PassBuilder& b, FrameContext& c)
+{
+    if (c.hasFirstFrame() || !b.find("blocked lobe").valid()) return;
+    b.readGBuffer();
+    b.settings<SpecularSettings>();
+    readLobes(b, c);
+    // Else what is met hides the map, and is black.
+    if (c.settings.reflections == Settings::REFLECTIONS_SCREEN) {
+        b.define("SHOWS_SCENE");
+        b.read(b.find("radiance"), "radianceMap");
+    }
+    b.drawMarked(b.find("pixel marks"), limits::MARK_TRACED);
+    b.write(b.create("reflection", {GL_RGBA32F_ARB}));
+}
+
+Requirement ReflectionFilterPass::require(const FrameContext& c) const
+{
+    return requireReflections(c).because("their mean over a cell");
+}
+
+void ReflectionFilterPass::setup(PassBuilder& b, FrameContext& c)
+{
+    if (c.still && b.find("blocked lobe").valid()) b.create("reflected", ofFirstFrame(c, GL_RGBA32F_ARB));
+    if (c.hasFirstFrame()) b.keepContents();
+    if (!b.find("reflection").valid()) return;
+    b.readGBuffer();
+    readLobes(b, c);
+    b.read(b.find("reflection"), "reflectionMap");
+    b.read(b.find("specular"), "specularTermMap");
+    b.read(b.find("blocked lobe"), "blockedLobeMap");
+    b.define("HAS_BOUNCE", c.settings.reflections == Settings::REFLECTIONS_SCREEN && b.read("bounce", "bounceMap"));
+    b.drawMarked(b.find("pixel marks"), c.still ? limits::MARK_GLOSSY : limits::MARK_TRACED);
+    b.addLaterTo(b.find("radiance"));
+    if (!c.still) return;
+    b.define("KEEPS_REFLECTED");
+    b.write(b.find("reflected"));
+}
+
+}  // namespace osgEnvLight

@@ -1,0 +1,19 @@
+#version 330 compatibility
+#extension GL_ARB_shading_language_packing : require
+// SPDX-License-Identifier: MIT
+// S, second part: the sums of the lobes filtered along rows.
+#include "pass/lobefilter.glsl"
+
+layout(location = 0) out vec4 estimate;
+#ifdef HAS_LOBE_LIGHTS
+layout(location = 1) out uvec4 lobeLights;
+#endif
+
+void main()
+{
+    LobeSums sums = filteredLobes(ivec2(gl_FragCoord.xy), ivec2(1, 0));
+    estimate = sums.estimate;
+#ifdef HAS_LOBE_LIGHTS
+    lobeLights = packLobeLights(sums.lights);
+#endif
+}

@@ -1,0 +1,67 @@
+#version 330 compatibility
+#extension GL_ARB_shading_language_packing : require
+// SPDX-License-Identifier: MIT
+// S, last part: the rows' sums filtered along columns. The map's radiance in the lobe is a ratio of sums, so that an even map is
+// reflected exactly; how much of it the scene leaves is another one, light by light and per colour [specular.md 4]; suns are apart.
+// LOBES_SHARP: a still view's later frames average over time instead, and take what is blocked light by light.
+#pragma import_defines(HAS_SUNS, LOBES_SHARP, HAS_SHOWN, KEEPS_SHOWN)
+
+#include "pass/albedo.glsl"
+#include "pass/lobefilter.glsl"
+#include "pass/lobewidth.glsl"
+
+#ifdef HAS_SUNS
+uniform sampler2D sunGlintMap;
+#endif
+#ifdef HAS_SHOWN
+uniform sampler2D shownMap;
+#endif
+
+layout(location = 0) out vec4 specular;
+#ifdef HAS_LOBE_LIGHTS
+layout(location = 1) out vec4 blockedLobe;  // the part of the lobe's albedo that surfaces take from the map, and the share that this is
+#ifdef KEEPS_SHOWN
+layout(location = 2) out vec4 shownLobe;
+#endif
+#endif
+
+vec3 reflectedShare(ivec2 p)
+{
+    float cosV = -dot(pixelNormal(p), viewRay(inverseProjection, pixelNdc(p)));
+    return bsdfOf(pixelBrdf(p), texelFetch(specularMap, p, 0).rgb, texelFetch(normalMap, p, 0).a, max(cosV, 1e-4)).reflected;
+}
+
+vec3 ratio(vec3 num, vec3 den, float none)
+{
+    return vec3(den.r > 0.0 ? num.r / den.r : none, den.g > 0.0 ? num.g / den.g : none, den.b > 0.0 ? num.b / den.b : none);
+}
+
+void main()
+{
+    ivec2 p = ivec2(gl_FragCoord.xy);
+    vec3 reflected = reflectedShare(p);
+    vec3 shown = vec3(1.0);
+#ifdef LOBES_SHARP
+    vec4 estimate = texelFetch(estimateMap, p, 0);
+#ifdef HAS_SHOWN
+    // Of a lobe that is too narrow for their lights.
+    shown = mix(texelFetch(shownMap, p, 0).rgb, vec3(1.0), lightedShare(texelFetch(normalMap, p, 0).a));
+#endif
+#else
+    LobeSums sums = filteredLobes(p, ivec2(0, 1));
+    vec4 estimate = sums.estimate;
+#ifdef HAS_LOBE_LIGHTS
+    float sky = sums.lights.sky.y > 0.0 ? sums.lights.sky.x / sums.lights.sky.y : 1.0;
+    shown = ratio(sums.lights.seen, sums.lights.all, sky);
+    blockedLobe = (1.0 - sky) * vec4(reflected, 1.0);
+#ifdef KEEPS_SHOWN
+    shownLobe = vec4(shown, 1.0);
+#endif
+#endif
+#endif
+    vec3 mean = estimate.a > 0.0 ? estimate.rgb / estimate.a : vec3(0.0);
+    specular = vec4(mean * shown * reflected, 1.0);
+#ifdef HAS_SUNS
+    specular.rgb += texelFetch(sunGlintMap, p, 0).rgb;
+#endif
+}

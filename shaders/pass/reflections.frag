@@ -1,0 +1,70 @@
+#version 330 compatibility
+// SPDX-License-Identifier: MIT
+// What surfaces of the picture show in a glossy one, first part: one ray a pixel, in the mirror direction or, of wider lobes, in a
+// direction of the lobe that is the pixel's own in its 4x4 cell [indirect2.md 3, 6]. It reads this frame's picture, in which the lobes
+// have the mean radiance of what blocks light: nothing of an earlier frame, so that nothing trails behind what moves.
+#pragma import_defines(SHOWS_SCENE)
+
+#include "lib/frame.glsl"
+#include "lib/march.glsl"
+#include "lib/sequence.glsl"
+#include "pass/gbuffer.glsl"
+#include "pass/albedo.glsl"
+#include "pass/lobewidth.glsl"
+
+#ifdef SHOWS_SCENE
+uniform sampler2D radianceMap;
+#endif
+uniform float sceneRadius;
+uniform int reflectionSteps;
+
+layout(location = 0) out vec4 reflection;  // radiance of what is met, times whether it is; whether
+
+const float THICKNESS = 0.05;  // of what the view shows, in scene radii
+
+// A direction of the lobe in its local frame; below the horizon it meets nothing.
+vec3 lobeDirection(Bsdf b, vec3 v, int group)
+{
+    vec3 mirrored = vec3(-v.x, -v.y, v.z);
+    if (b.roughness < NARROW_ROUGHNESS) return mirrored;
+    vec2 u = cellPoint(0, group, 1) + vec2(1.0 / 32.0);
+#ifdef HAS_PHONG
+    if (b.brdf == BRDF_PHONG) return frameAround(mirrored) * phongSample(phongExponent(b.roughness), u);
+#endif
+    vec3 h = ggxVisibleNormalSample(v, b.roughness * b.roughness, u);
+    return 2.0 * dot(v, h) * h - v;
+}
+
+void main()
+{
+    ivec2 p = ivec2(gl_FragCoord.xy);
+    vec3 n = pixelNormal(p);
+    mat3 eyeFromLocal = frameAround(n);
+    vec3 v = pixelView(p, eyeFromLocal);
+    Bsdf b = makeBsdf(pixelBrdf(p), vec3(0.0), texelFetch(normalMap, p, 0).a, vec2(1.0, 0.0));
+    int group = bayer4(p.x, p.y);
+    vec3 d = lobeDirection(b, v, group);
+    vec2 ndc = pixelNdc(p);
+    float depth = texelFetch(depthMap, p, 0).r;
+    ScreenRay ray;
+    ray.projection = projection;
+    ray.inverseProjection = inverseProjection;
+    ray.size = viewportSize;
+    ray.direction = eyeFromLocal * d;
+    float footprint = pixelFootprint(inverseProjection, ndc, depth, viewportSize);
+    ray.origin = eyeFromDepth(inverseProjection, ndc, depth) + (footprint + length(depthStep(inverseProjection, ndc, depth))) * n;
+    ray.most = 2.0 * sceneRadius;
+    ray.thickness = THICKNESS * sceneRadius;
+    reflection = vec4(0.0);
+    if (d.z <= 0.0) return;
+    // Points between those of its neighbours, where these are averaged; else as they, so that edges are lines.
+    float phase = b.roughness < NARROW_ROUGHNESS ? 1.0 : (float(group) + 1.0) / 16.0;
+    ScreenHit hit = screenRayHit(depthMap, ray, reflectionSteps, phase);
+    if (!hit.found || dot(pixelNormal(hit.pixel), ray.direction) >= 0.0) return;
+    float share = smoothstep(0.0, 0.1, hit.border);  // fades where the picture ends
+#ifdef SHOWS_SCENE
+    reflection = share * vec4(texelFetch(radianceMap, hit.pixel, 0).rgb, 1.0);
+#else
+    reflection = share * vec4(0.0, 0.0, 0.0, 1.0);
+#endif
+}

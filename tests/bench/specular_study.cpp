@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// How far S is from the truth, by roughness: metal balls beside each other on a floor, tRMSE in % of the term where nothing is in
+// the way ("open"), of what the scene leaves of it ("seen"), and that of means over 8 x 8 pixels ("blocks"), where noise averages
+// out and blotches stay; then the share of the light that the scene takes ("without").
+//   envlight_specular_study [MAP...] [NAME=VALUE...] [--pictures FOLDER]     maps of the image suite, settings of the nodekit
+#include <metrics/Display>
+#include <metrics/Mask>
+#include <metrics/Metrics>
+#include <osgEnvLight/Material>
+#include <reference/Reference>
+
+#include <ImageFile.h>
+
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+
+#include "SceneRenderer.h"
+#include "SuiteScenes.h"
+#include "TracedView.h"
+
+using osgEnvLight::ErrorFigures;
+using osgEnvLight::Layer;
+using osgEnvLight::LitScene;
+using osgEnvLight::Mask;
+using osgEnvLight::Settings;
+
+namespace
+{
+
+const int width = 192, height = 128;
+const unsigned samples = 256;
+const float roughnesses[] = {0.05f, 0.1f, 0.2f, 0.3f, 0.4f, 0.5f, 0.6f, 0.8f};
+
+osg::ref_ptr<osg::Node> metal(const osg::ref_ptr<osg::Geode>& body, float roughness)
+{
+    osgEnvLight::Material::setCookTorrance(*body->getOrCreateStateSet(), osg::Vec3f(0.9f, 0.85f, 0.75f), 1.0f, roughness);
+    return body;
+}
+
+osg::ref_ptr<LitScene> makeBalls(float roughness)
+{
+    osg::ref_ptr<LitScene> lit = new LitScene;
+    lit->getSettings()->output = Settings::LINEAR;
+    lit->getSettings()->background = Settings::BACKGROUND_OFF;
+    lit->getSettings()->regeneration = Settings::IMMEDIATE;
+    lit->getSettings()->bounce = Settings::BOUNCE_OFF;
+    lit->getSettings()->reflections = Settings::REFLECTIONS_MAP;
+    lit->addChild(makeQuad(osg::Vec3d(-6, -6, 0), osg::Vec3d(12, 0, 0), osg::Vec3d(0, 12, 0)));
+    for (int i = 0; i < 7; ++i) {
+        const double angle = 2.0 * osg::PI * i / 6.0, r = i == 6 ? 0.0 : 1.45;
+        lit->addChild(metal(makeSphere(osg::Vec3d(r * std::cos(angle), r * std::sin(angle), 0.6), 0.6, 96), roughness));
+    }
+    lit->addChild(makeBox(osg::Vec3d(-2.6, 2.2, 0), osg::Vec3d(2.6, 2.5, 2.4)));
+    return lit;
+}
+
+// Means over blocks of 8 x 8 of the pixels that count.
+Picture blocksOf(const Picture& picture, const Mask& mask)
+{
+    Picture result(picture.width / 8, picture.height / 8);
+    for (int y = 0; y < result.height; ++y)
+        for (int x = 0; x < result.width; ++x) {
+            double sum[4] = {};
+            for (int k = 0; k < 64; ++k) {
+                const int px = 8 * x + k % 8, py = 8 * y + k / 8;
+                if (!mask.at(px, py)) continue;
+                for (int channel = 0; channel < 3; ++channel) sum[channel] += picture.color(px, py)[channel];
+                sum[3] += 1.0;
+            }
+            float* out = &result.rgba[4 * (size_t(y) * size_t(result.width) + size_t(x))];
+            for (int channel = 0; channel < 3; ++channel) out[channel] = sum[3] > 0.0 ? float(sum[channel] / sum[3]) : 0.0f;
+            out[3] = sum[3] >= 16.0 ? 1.0f : 0.0f;
+        }
+    return result;
+}
+
+double blockError(const Picture& picture, const Picture& truth, const Mask& mask)
+{
+    const Picture a = blocksOf(picture, mask), b = blocksOf(truth, mask);
+    return osgEnvLight::compare(a, b, Mask::geometry(b)).tRmse;
+}
+
+void write(const Picture& picture, double stops, const std::string& name)
+{
+    writeImageFile(*osgEnvLight::eightBit(osgEnvLight::displayEncoded(picture, stops)), name);
+}
+
+struct Row {
+    double open = 0.0, seen = 0.0, blocks = 0.0, without = 0.0;
+};
+
+Row measure(const std::string& map, float roughness, const std::vector<std::string>& settings, const std::string& pictures)
+{
+    osg::ref_ptr<LitScene> lit = makeBalls(roughness);
+    if (!suite::setMap(*lit, map)) throw std::runtime_error(map + " is not installed");
+    for (const std::string& s : settings) {
+        std::string error;
+        if (!lit->getSettings()->set(s.substr(0, s.find('=')), s.substr(s.find('=') + 1), error)) throw std::runtime_error(error);
+    }
+    SceneRenderer renderer(width, height);
+    renderer.lookAt(osg::Vec3d(0.6, -6.2, 3.2), osg::Vec3d(0, 0, 0.5), osg::Vec3d(0, 0, 1), 34.0);
+    lit->getSettings()->view = Settings::SPECULAR;
+    const Picture seen = renderer.render(lit);
+    lit->getSettings()->visibility = Settings::VISIBILITY_NONE;
+    const Picture open = renderer.render(lit);
+    const osgEnvLight::ReferenceResult truth = tracedView(
+        *lit, renderer, samples, {Layer::SPECULAR, Layer::SPECULAR_VISIBLE, Layer::NORMAL, Layer::DEPTH, Layer::BEAUTY}, false);
+    Picture glossy = truth.mean(Layer::SPECULAR);
+    for (size_t i = 0; i < glossy.pixels(); ++i)
+        glossy.rgba[4 * i + 3] = glossy.rgba[4 * i] + glossy.rgba[4 * i + 1] > 0.0f ? 1.0f : 0.0f;
+    Picture surface = truth.mean(Layer::NORMAL);
+    for (size_t i = 0; i < surface.pixels(); ++i) surface.rgba[4 * i + 3] = truth.mean(Layer::BEAUTY).rgba[4 * i + 3];
+    const Mask mask = osgEnvLight::withoutEdges(Mask::geometry(glossy), surface, truth.mean(Layer::DEPTH));
+    const auto error = [&](const Picture& picture, Layer layer) {
+        return osgEnvLight::compare(picture, truth.mean(layer), truth.standardError(layer), mask).tRmse;
+    };
+    Row row;
+    row.open = error(open, Layer::SPECULAR);
+    row.seen = error(seen, Layer::SPECULAR_VISIBLE);
+    row.blocks = blockError(seen, truth.mean(Layer::SPECULAR_VISIBLE), mask);
+    row.without = error(truth.mean(Layer::SPECULAR), Layer::SPECULAR_VISIBLE);
+    if (!pictures.empty()) {
+        char name[64];
+        std::snprintf(name, sizeof(name), "/%s-%.2f-", map.c_str(), double(roughness));
+        const Picture& right = truth.mean(Layer::SPECULAR_VISIBLE);
+        const double stops = osgEnvLight::automaticExposure(right, mask);
+        write(seen, stops, pictures + name + "ours.png");
+        write(right, stops, pictures + name + "truth.png");
+    }
+    return row;
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+try {
+    std::vector<std::string> maps, settings;
+    std::string pictures;
+    for (int i = 1; i < argc; ++i) {
+        const std::string word = argv[i];
+        if (word == "--pictures" && i + 1 < argc)
+            pictures = argv[++i];
+        else
+            (word.find('=') == std::string::npos ? maps : settings).push_back(word);
+    }
+    if (maps.empty()) maps = {"courtyard", "city", "studio", "sunset"};
+    std::printf("%-10s %-10s", "tRMSE, %", "roughness");
+    for (float r : roughnesses) std::printf(" %6.2f", double(r));
+    std::printf("   mean\n");
+    for (const std::string& map : maps) {
+        std::vector<Row> rows;
+        for (float r : roughnesses) rows.push_back(measure(map, r, settings, pictures));
+        const std::pair<const char*, double Row::*> lines[] = {
+            {"open", &Row::open}, {"seen", &Row::seen}, {"blocks", &Row::blocks}, {"without", &Row::without}};
+        for (const auto& [name, member] : lines) {
+            std::printf("%-10s %-10s", map.c_str(), name);
+            double sum = 0.0;
+            for (const Row& row : rows) {
+                std::printf(" %6.2f", 100.0 * row.*member);
+                sum += row.*member;
+            }
+            std::printf(" %6.2f\n", 100.0 * sum / double(rows.size()));
+        }
+        std::fflush(stdout);
+    }
+} catch (const std::exception& e) {
+    std::cerr << "envlight_specular_study: " << e.what() << '\n';
+    return 1;
+}

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// What glossy surfaces show of the scene.
+#include <SceneRenderer.h>
+
+#include <metrics/Mask>
+#include <metrics/Metrics>
+#include <osgEnvLight/Material>
+
+#include <gtest/gtest.h>
+
+#include "TracedView.h"
+
+using osgEnvLight::Layer;
+using osgEnvLight::LitScene;
+using osgEnvLight::Mask;
+using osgEnvLight::Material;
+using osgEnvLight::ReferenceOptions;
+using osgEnvLight::Settings;
+
+namespace
+{
+
+// A metal floor, on which two coloured boxes and a ball of metal stand.
+osg::ref_ptr<LitScene> makeScene(float roughness)
+{
+    osg::ref_ptr<LitScene> lit = makeLit(lopsidedMap().get());
+    lit->getSettings()->regeneration = Settings::IMMEDIATE;
+    lit->getSettings()->background = Settings::BACKGROUND_OFF;
+    const osg::ref_ptr<osg::Geode> floor = makeQuad(osg::Vec3d(-3, -3, 0), osg::Vec3d(6, 0, 0), osg::Vec3d(0, 6, 0));
+    Material::setCookTorrance(*floor->getOrCreateStateSet(), osg::Vec3f(0.9f, 0.9f, 0.9f), 1.0f, roughness);
+    lit->addChild(floor);
+    const osg::ref_ptr<osg::Geode> red = makeBox(osg::Vec3d(-1.6, -0.2, 0), osg::Vec3d(-0.6, 0.8, 1.4));
+    Material::setLambert(*red->getOrCreateStateSet(), osg::Vec3f(0.8f, 0.1f, 0.1f));
+    lit->addChild(red);
+    const osg::ref_ptr<osg::Geode> blue = makeBox(osg::Vec3d(-0.2, 0.8, 0), osg::Vec3d(2.4, 1.2, 1.0));
+    Material::setLambert(*blue->getOrCreateStateSet(), osg::Vec3f(0.1f, 0.2f, 0.8f));
+    lit->addChild(blue);
+    const osg::ref_ptr<osg::Geode> ball = makeSphere(osg::Vec3d(0.9, -0.6, 0.6), 0.6, 96);
+    Material::setCookTorrance(*ball->getOrCreateStateSet(), osg::Vec3f(0.95f, 0.8f, 0.5f), 1.0f, roughness);
+    lit->addChild(ball);
+    return lit;
+}
+
+void look(SceneRenderer& renderer)
+{
+    renderer.lookAt(osg::Vec3d(0.5, -6, 2.6), osg::Vec3d(0.2, 0, 0.3));
+}
+
+}  // namespace
+
+// Beside full light transport: what is shown in place of black leaves at most .8 of the error [specular.md 9]. Measured below.
+TEST(Reflections, ShowTheSceneWhereItHidesTheMap)
+{
+    for (const float roughness : {0.03f, 0.2f, 0.35f}) {
+        SceneRenderer renderer(128, 96);
+        look(renderer);
+        osg::ref_ptr<LitScene> lit = makeScene(roughness);
+        const Picture shown = renderer.render(lit);
+        lit->getSettings()->reflections = Settings::REFLECTIONS_MAP;
+        const Picture black = renderer.render(lit);
+        const Picture truth = tracedView(*lit, renderer, 256, {Layer::BEAUTY}, false, ReferenceOptions::FULL).mean(Layer::BEAUTY);
+        const Mask mask = Mask::geometry(truth) & Mask::geometry(shown);
+        const double with = osgEnvLight::compare(shown, truth, mask).tRmse,
+                     without = osgEnvLight::compare(black, truth, mask).tRmse;
+        EXPECT_GT(without, 0.03) << roughness << ": there is something to show";
+        EXPECT_LT(with, 0.8 * without) << "roughness " << roughness << ": " << with << " of " << without;
+    }
+}
+
+TEST(Reflections, NothingTrailsBehindACut)
+{
+    SceneRenderer renderer(64, 48);
+    look(renderer);
+    const Picture fresh = renderer.render(makeScene(0.2f));
+    const osg::ref_ptr<LitScene> lit = makeScene(0.2f);
+    renderer.lookAt(osg::Vec3d(-5, -3, 2), osg::Vec3d());
+    renderer.render(lit, 3);
+    look(renderer);
+    EXPECT_EQ(0.0, largestDifference(fresh, renderer.render(lit)));
+}
+
+TEST(Reflections, OffHidesNothingAndTracesNothing)
+{
+    SceneRenderer renderer(64, 48);
+    look(renderer);
+    const osg::ref_ptr<LitScene> lit = makeScene(0.2f);
+    lit->getSettings()->view = Settings::SPECULAR;
+    lit->getSettings()->reflections = Settings::REFLECTIONS_OFF;
+    const Picture off = renderer.render(lit);
+    EXPECT_FALSE(lit->plan().runs("reflections"));
+    lit->getSettings()->reflections = Settings::REFLECTIONS_MAP;
+    const Picture map = renderer.render(lit);
+    lit->getSettings()->visibility = Settings::VISIBILITY_NONE;
+    EXPECT_EQ(0.0, largestDifference(off, renderer.render(lit)));
+    EXPECT_GT(largestDifference(off, map), 0.1);
+}
+
+TEST(Reflections, AreNotTracedWhereNothingIsGlossy)
+{
+    SceneRenderer renderer(32, 32);
+    renderer.lookAt(osg::Vec3d(0, -6, 2), osg::Vec3d());
+    osg::ref_ptr<LitScene> lit = makeLit(lopsidedMap().get());
+    lit->addChild(makeSphere(osg::Vec3d(), 1.0, 32));
+    renderer.render(lit, 2);
+    for (const char* pass : {"specular", "loberows", "lobes", "reflections", "reflectionfilter"}) {
+        EXPECT_FALSE(lit->plan().runs(pass));
+        EXPECT_EQ("no glossy surface in view", lit->plan().reason(pass)) << pass;
+    }
+}
