@@ -12,6 +12,12 @@ find_package(GTest QUIET CONFIG)
 find_package(embree 3.13 QUIET CONFIG)
 find_package(TBB 2021 QUIET CONFIG)
 find_package(benchmark QUIET CONFIG)
+# Headers only: plugin/osgdb_gltf compiles tinygltf without its access to files, which Debian's library has.
+find_path(ENVLIGHT_TINYGLTF_INCLUDE_DIR tiny_gltf.h)
+find_path(ENVLIGHT_STB_INCLUDE_DIR stb_image.h PATH_SUFFIXES stb)
+if(ENVLIGHT_TINYGLTF_INCLUDE_DIR AND ENVLIGHT_STB_INCLUDE_DIR)
+    set(ENVLIGHT_GLTF_FOUND ON)
+endif()
 find_program(GLSLANG_VALIDATOR glslangValidator)
 
 # The host's libraries by a name that the installed package can define again (Install.cmake).

@@ -38,6 +38,11 @@ class JsonValue
                                  ": expected " + expected + ", found " + found);
     }
 
+    [[noreturn]] void failMissing(const std::string& key, const std::string& expected) const
+    {
+        JsonValue(_json, _file, join(key)).fail(expected, "nothing");
+    }
+
     // The members of an object, whose keys must all be known.
     void object(std::initializer_list<const char*> keys, const char* what) const
     {

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace osgEnvLight::gltf
+{
+
+/** Where the reader puts what a material of a glTF file says: the one list of units, uniforms and vertex attributes.
+ *
+ * A lit surface has an osg::Material (diffuse: base colour, emission: emissive colour, both as display values; alpha) and the
+ * uniforms of osgEnvLight::Material::setCookTorrance (linear base colour, metalness, roughness). A surface with vertex colours
+ * has no such uniforms, because the nodekit's BRDFs take none: vertex colours times the base colour, as display values, are its
+ * diffuse colour. KHR_materials_unlit has neither: GL_LIGHTING is off and the colours are the vertices'.
+ *
+ * unit  texture (attribute)          colours  mode  sampler uniform
+ *    0  base colour                  sRGB     on    -
+ *    1  normals, tangent space       linear   off   envlightNormalMap
+ *    2  G roughness, B metalness     linear   off   envlightMetalRoughMap
+ *    3  R occlusion                  linear   off   envlightOcclusionMap
+ *    4  emission                     sRGB     off   envlightEmissionMap
+ *    5  R clear coat                 linear   off   envlightCoatMap
+ *
+ * Units without a mode are invisible to fixed function. sRGB: the texels are display values, which the shader decodes. A one or
+ * two channel image is GL_LUMINANCE or GL_LUMINANCE_ALPHA. Row 0 of an image is the top of the picture, where the second
+ * coordinate is 0; green of a normal map points to the top.
+ *
+ * Each map has beside its sampler X an int XTexCoord, the array of texture coordinates (osg::Geometry::getTexCoordArray) that it
+ * takes, and a mat3 XTransform for (s, t, 1) (KHR_texture_transform; the identity without). The array that unit 0 takes is array
+ * 0, so that fixed function reads it; its transform is an osg::TexMat.
+ *
+ * uniform                   type   factor of
+ * envlightNormalScale       float  x and y of the normal map; with envlightNormalMap
+ * envlightOcclusionStrength float  with envlightOcclusionMap
+ * envlightEmission          vec3   linear radiance, emissiveFactor times KHR_materials_emissive_strength, and of
+ * envlightEmissionMap. With the map, the osg::Material emits nothing envlightCoat              float  KHR_materials_clearcoat
+ * envlightCoatRoughness     float  KHR_materials_clearcoat
+ * envlightIor               float  KHR_materials_ior
+ * envlightSpecularFactor    float  KHR_materials_specular
+ * envlightSpecularColor     vec3   KHR_materials_specular, linear
+ *
+ * A uniform is there only where the file says something: that is how to see which features a surface has.
+ *
+ * Vertex attribute 6 is the tangent, vec4, w the sign of the bitangent cross(normal, tangent). Skins and morph targets leave it
+ * as it is at rest. Files without tangents have none: derive them from the coordinates of the normal map. Without normals there
+ * is no normal array: faces are flat. */
+struct MaterialNames {
+    enum Unit { BASE_COLOR, NORMAL, METAL_ROUGH, OCCLUSION, EMISSION, COAT };
+    static constexpr const char* sampler[] = {
+        nullptr, "envlightNormalMap", "envlightMetalRoughMap", "envlightOcclusionMap", "envlightEmissionMap", "envlightCoatMap"};
+    static constexpr const char* texCoordSuffix = "TexCoord";
+    static constexpr const char* transformSuffix = "Transform";
+
+    static constexpr const char* normalScale = "envlightNormalScale";
+    static constexpr const char* occlusionStrength = "envlightOcclusionStrength";
+    static constexpr const char* emission = "envlightEmission";
+    static constexpr const char* coat = "envlightCoat";
+    static constexpr const char* coatRoughness = "envlightCoatRoughness";
+    static constexpr const char* ior = "envlightIor";
+    static constexpr const char* specularFactor = "envlightSpecularFactor";
+    static constexpr const char* specularColor = "envlightSpecularColor";
+
+    static constexpr unsigned tangentAttribute = 6;
+};
+
+}  // namespace osgEnvLight::gltf
