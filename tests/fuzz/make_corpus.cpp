@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writes a few small valid files of every kind into FOLDER/exr, FOLDER/hdr and FOLDER/json, for the fuzzers to start from.
+// Writes a few small valid files of every kind into FOLDER/exr, FOLDER/hdr, FOLDER/json and FOLDER/gltf, for the fuzzers to start from.
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -143,6 +143,41 @@ void writeJsons(const fs::path& folder)
  "suns": [{"direction": [1, 0, 0], "flux": [1, 2, 3], "radiusDeg": 1}]})";
 }
 
+void writeGltfs(const fs::path& folder)
+{
+    // A triangle of floats; whatever else is read of the buffer are its zeros and ones.
+    const std::string bytes = "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAABAAIAAAAAAAAAAAAAAAAAAAAAAAAA";
+    std::ofstream(folder / "surface.gltf") << R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+ "buffers": [{"byteLength": 60, "uri": "data:;base64,)" << bytes << R"("}],
+ "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+  {"bufferView": 1, "componentType": 5123, "count": 3, "type": "SCALAR"},
+  {"bufferView": 0, "componentType": 5121, "count": 3, "type": "VEC4", "normalized": true,
+   "sparse": {"count": 1, "indices": {"bufferView": 1, "componentType": 5121}, "values": {"bufferView": 0}}}],
+ "images": [{"uri": "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAIAAAD91JpzAAAAEklEQVR42mP4z8DAAMIM/4EAAB/uBfvxq7p3AAAAAElFTkSuQmCC"}],
+ "samplers": [{"magFilter": 9729, "minFilter": 9987, "wrapS": 10497}], "textures": [{"source": 0, "sampler": 0}],
+ "materials": [{"name": "m", "alphaMode": "MASK", "doubleSided": true, "normalTexture": {"index": 0, "scale": 0.5},
+  "pbrMetallicRoughness": {"baseColorFactor": [1, 1, 1, 1], "baseColorTexture": {"index": 0, "texCoord": 1,
+   "extensions": {"KHR_texture_transform": {"offset": [0, 1], "rotation": 1, "scale": [2, 2]}}}},
+  "extensions": {"KHR_materials_clearcoat": {"clearcoatFactor": 1, "clearcoatTexture": {"index": 0}}}}],
+ "meshes": [{"weights": [0.5], "primitives": [{"attributes": {"POSITION": 0, "NORMAL": 0, "COLOR_0": 2}, "indices": 1, "material": 0,
+  "targets": [{"POSITION": 0}]}]}],
+ "extensions": {"KHR_lights_punctual": {"lights": [{"type": "spot", "intensity": 3, "spot": {"outerConeAngle": 0.5}}]}},
+ "nodes": [{"mesh": 0, "extensions": {"KHR_lights_punctual": {"light": 0}}}]})";
+    std::ofstream(folder / "motion.gltf") << R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 60, "uri": "data:;base64,)"
+                                          << bytes << R"("}],
+ "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+  {"bufferView": 1, "byteOffset": 12, "componentType": 5121, "count": 3, "type": "VEC4"},
+  {"componentType": 5126, "count": 3, "type": "VEC4"},
+  {"bufferView": 0, "byteOffset": 8, "componentType": 5126, "count": 1, "type": "SCALAR"},
+  {"bufferView": 0, "componentType": 5126, "count": 1, "type": "VEC3"}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "JOINTS_0": 1, "WEIGHTS_0": 2}}]}], "skins": [{"joints": [1, 2]}],
+ "animations": [{"samplers": [{"input": 3, "output": 4, "interpolation": "STEP"}],
+  "channels": [{"sampler": 0, "target": {"node": 2, "path": "translation"}}]}],
+ "nodes": [{"mesh": 0, "skin": 0}, {"children": [2], "rotation": [0, 0, 0, 1]}, {"translation": [1, 2, 3]}]})";
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -153,10 +188,11 @@ int main(int argc, char** argv)
     }
     try {
         const fs::path folder(argv[1]);
-        for (const char* kind : {"exr", "hdr", "json"}) fs::create_directories(folder / kind);
+        for (const char* kind : {"exr", "hdr", "json", "gltf"}) fs::create_directories(folder / kind);
         writeExrs(folder / "exr");
         writeHdrs(folder / "hdr");
         writeJsons(folder / "json");
+        writeGltfs(folder / "gltf");
     } catch (const std::exception& e) {
         std::cerr << e.what() << "\n";
         return 1;
