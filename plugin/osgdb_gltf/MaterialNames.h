@@ -29,6 +29,7 @@ namespace osgEnvLight::gltf
  *
  * uniform                   type   factor of
  * envlightNormalScale       float  x and y of the normal map; with envlightNormalMap
+ * envlightNormalUp          float  -1: green points to where the second coordinate is 0; with envlightNormalMap
  * envlightOcclusionStrength float  with envlightOcclusionMap
  * envlightEmission          vec3   linear radiance, emissiveFactor times KHR_materials_emissive_strength, and of
  * envlightEmissionMap. With the map, the osg::Material emits nothing envlightCoat              float  KHR_materials_clearcoat
@@ -50,6 +51,7 @@ struct MaterialNames {
     static constexpr const char* transformSuffix = "Transform";
 
     static constexpr const char* normalScale = "envlightNormalScale";
+    static constexpr const char* normalUp = "envlightNormalUp";
     static constexpr const char* occlusionStrength = "envlightOcclusionStrength";
     static constexpr const char* emission = "envlightEmission";
     static constexpr const char* coat = "envlightCoat";

@@ -177,7 +177,10 @@ void Materials::addTextures(osg::StateSet& stateSet, int index)
     add(MaterialNames::OCCLUSION, use(m.occlusionTexture));
     add(MaterialNames::EMISSION, use(m.emissiveTexture));
     add(MaterialNames::COAT, coatUse(index));
-    if (m.normalTexture.index >= 0) setUniform(stateSet, MaterialNames::normalScale, float(m.normalTexture.scale));
+    if (m.normalTexture.index >= 0) {
+        setUniform(stateSet, MaterialNames::normalScale, float(m.normalTexture.scale));
+        setUniform(stateSet, MaterialNames::normalUp, -1.0f);
+    }
     if (m.occlusionTexture.index >= 0) setUniform(stateSet, MaterialNames::occlusionStrength, float(m.occlusionTexture.strength));
 }
 

@@ -106,6 +106,7 @@ void SceneState::setHostMaterial(SurfaceMaterial& m, bool linearColors) const
 
 void SceneState::setOwnMaterial(SurfaceMaterial& m) const
 {
+    if (emits()) m.emission = rgb(uniform("envlightEmission", osg::Vec3f()));
     if (brdf() == Material::COOK_TORRANCE) {
         m.color = glm::dvec4(rgb(uniform("envlightBaseColor", osg::Vec3f())), m.color.a);
         m.metalness = double(uniform("envlightMetalness", 0.0f));
@@ -140,9 +141,11 @@ SurfaceMaterial SceneState::material(const osg::Geometry& geometry, bool linearC
     m.unlit = unlit();
     m.vertexColored = vertexColored();
     setHostMaterial(m, linearColors);
-    setOwnMaterial(m);
+    if (brdf() >= 0) setOwnMaterial(m);
     setTexture(m, textures, leftOut);
     if (const char* what = unsupported(&geometry)) leftOut.insert(std::string(what) + ": lit as if they were not there");
+    if (mapped(0) || mapped(1) || mapped(2))
+        leftOut.insert("normal, roughness and emission maps: their surfaces have the material without");
     if (paintedReflection()) leftOut.insert("painted reflections: their surfaces have the material without");
     if (_alphaTest.on && _alphaFunction.attribute) {
         const auto& f = static_cast<const osg::AlphaFunc&>(*_alphaFunction.attribute);

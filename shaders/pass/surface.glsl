@@ -3,7 +3,7 @@
 // and vertices, and of images without floats, are sRGB encoded; those of our Material are linear.
 #ifndef SURFACE_GLSL
 #define SURFACE_GLSL
-#pragma import_defines(HAS_SUN_MAPS, ENVLIGHT_COOK_TORRANCE, ENVLIGHT_LAMBERT, ENVLIGHT_PHONG, FACE_NORMAL, VERTEX_COLOR, UNLIT, NO_TEXTURE, LINEAR_TEXTURE, ALPHA_TEXTURE, TEXTURE_REPLACE, TEXTURE_DECAL, TEXTURE_BLEND, TEXTURE_ADD, PAINTED_REFLECTION, PHONG_MATERIAL, TWO_SIDED)
+#pragma import_defines(HAS_SUN_MAPS, ENVLIGHT_COOK_TORRANCE, ENVLIGHT_LAMBERT, ENVLIGHT_PHONG, FACE_NORMAL, VERTEX_COLOR, UNLIT, NO_TEXTURE, LINEAR_TEXTURE, ALPHA_TEXTURE, TEXTURE_REPLACE, TEXTURE_DECAL, TEXTURE_BLEND, TEXTURE_ADD, PAINTED_REFLECTION, PHONG_MATERIAL, TWO_SIDED, ENVLIGHT_EMISSION)
 
 #include "lib/brdfs.glsl"
 #include "lib/bulge.glsl"
@@ -11,6 +11,7 @@
 #include "lib/phong.glsl"
 #include "lib/tone.glsl"
 #include "pass/hostcolor.glsl"
+#include "pass/materialmaps.glsl"
 
 uniform sampler2D baseColorMap;
 
@@ -25,6 +26,10 @@ uniform vec3 envlightDiffuse;
 #ifdef ENVLIGHT_PHONG
 uniform vec3 envlightSpecular;
 uniform float envlightExponent;
+#endif
+
+#ifdef ENVLIGHT_EMISSION
+uniform vec3 envlightEmission;
 #endif
 
 in vec3 eyePosition;
@@ -155,11 +160,21 @@ Surface readSurface()
     vec3 facet = facetNormal(s.ray);
     s.normal = surfaceNormal(facet);
     s.bulge = surfaceBulge(facet, s.normal);
+#ifdef NORMAL_MAP
+    s.normal = mappedNormal(s.normal, eyePosition);
+#endif
     s.roughness = 1.0;
     s.f0 = vec3(0.0);
     s.brdf = BRDF_LAMBERT;
     gl_MaterialParameters host = hostMaterial();
     s.emission = hostRadiance(host.emission.rgb);
+#ifdef ENVLIGHT_EMISSION
+    vec3 emission = envlightEmission;
+#ifdef EMISSION_MAP
+    emission *= mappedEmission();
+#endif
+    s.emission = emission * (materialColors == 0 ? exp2(emittedStops) : 1.0);
+#endif
     vec4 material = host.diffuse;
 #ifdef ENVLIGHT_COOK_TORRANCE
     material.rgb = envlightBaseColor;
@@ -171,10 +186,14 @@ Surface readSurface()
     s.alpha = base.a;
     s.albedo = base.rgb;
 #if defined(ENVLIGHT_COOK_TORRANCE)
+    vec2 roughMetal = vec2(envlightRoughness, envlightMetalness);
+#ifdef METAL_ROUGH_MAP
+    roughMetal *= mappedRoughMetal();
+#endif
     s.brdf = BRDF_COOK_TORRANCE;
-    s.albedo = base.rgb * (1.0 - envlightMetalness);
-    s.f0 = mix(vec3(0.04), base.rgb, envlightMetalness);
-    s.roughness = envlightRoughness;
+    s.albedo = base.rgb * (1.0 - roughMetal.y);
+    s.f0 = mix(vec3(0.04), base.rgb, roughMetal.y);
+    s.roughness = roughMetal.x;
 #elif defined(ENVLIGHT_PHONG)
     s.brdf = BRDF_PHONG;
     s.f0 = envlightSpecular;

@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // Geometry of the host's own drawables, for the G-buffer and for what is drawn forward.
-#pragma import_defines(HAS_SUN_MAPS, CLIP_PLANES, NO_TEXTURE, TEXGEN_OBJECT, TEXGEN_EYE, TEXGEN_PROJECTED)
+#pragma import_defines(HAS_SUN_MAPS, CLIP_PLANES, NO_TEXTURE, TEXGEN_OBJECT, TEXGEN_EYE, TEXGEN_PROJECTED, NORMAL_MAP, METAL_ROUGH_MAP, EMISSION_MAP)
 
 uniform vec2 subpixel;  // shift of the picture in clip space over w
 
@@ -13,6 +13,9 @@ flat out vec3 cornerNormal;
 #endif
 out vec4 vertexColor;
 out vec3 textureCoordinate;  // s, t, q
+#if defined(NORMAL_MAP) || defined(METAL_ROUGH_MAP) || defined(EMISSION_MAP)
+out vec4 mapCoordinates;     // of the arrays 0 and 1
+#endif
 
 void main()
 {
@@ -41,6 +44,9 @@ void main()
     textureCoordinate = (gl_TextureMatrix[0] * coordinate).xyw;
 #else
     textureCoordinate = vec3(0.0, 0.0, 1.0);
+#endif
+#if defined(NORMAL_MAP) || defined(METAL_ROUGH_MAP) || defined(EMISSION_MAP)
+    mapCoordinates = vec4(gl_MultiTexCoord0.xy, gl_MultiTexCoord1.xy);
 #endif
     gl_Position = ftransform();
     gl_Position.xy += subpixel * gl_Position.w;

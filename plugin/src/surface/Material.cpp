@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <osgEnvLight/Material>
 
+#include "surface/MaterialMaps.h"
+
 #include <osg/Uniform>
 
 namespace osgEnvLight
@@ -16,6 +18,14 @@ template <class T>
 void setUniform(osg::StateSet& stateSet, const char* name, const T& value)
 {
     stateSet.addUniform(new osg::Uniform(name, value));
+}
+
+void setMap(osg::StateSet& stateSet, const std::string& name, osg::Texture2D* map, int set, unsigned unit)
+{
+    stateSet.setTextureAttribute(unit, map);
+    setUniform(stateSet, name.c_str(), int(unit));
+    setUniform(stateSet, (name + "TexCoord").c_str(), set);
+    setUniform(stateSet, (name + "Transform").c_str(), osg::Matrix3(1, 0, 0, 0, 1, 0, 0, 0, 1));
 }
 
 }  // namespace
@@ -40,6 +50,24 @@ void Material::setCookTorrance(osg::StateSet& stateSet, const osg::Vec3f& baseCo
     setUniform(stateSet, "envlightBaseColor", baseColor);
     setUniform(stateSet, "envlightMetalness", metalness);
     setUniform(stateSet, "envlightRoughness", roughness);
+}
+
+void Material::setNormalMap(osg::StateSet& stateSet, osg::Texture2D* map, float scale, bool topIsZero, int set, unsigned unit)
+{
+    setMap(stateSet, MaterialMaps::normal, map, set, unit);
+    setUniform(stateSet, MaterialMaps::normalScale, scale);
+    setUniform(stateSet, MaterialMaps::normalUp, topIsZero ? -1.0f : 1.0f);
+}
+
+void Material::setMetalRoughMap(osg::StateSet& stateSet, osg::Texture2D* map, int set, unsigned unit)
+{
+    setMap(stateSet, MaterialMaps::metalRough, map, set, unit);
+}
+
+void Material::setEmission(osg::StateSet& stateSet, const osg::Vec3f& emission, osg::Texture2D* map, int set, unsigned unit)
+{
+    setUniform(stateSet, MaterialMaps::emission, emission);
+    if (map) setMap(stateSet, MaterialMaps::emissionMap, map, set, unit);
 }
 
 int Material::brdfOf(const osg::StateSet& stateSet, int inherited)

@@ -123,6 +123,9 @@ class SurfaceSort
         if (state.twoSided()) bits |= S::TWO_SIDED;
         if (state.clipped()) bits |= S::CLIP_PLANES;
         if (state.brdf() >= 0) bits |= unsigned(S::ENVLIGHT_LAMBERT) << state.brdf();
+        for (unsigned map = 0; map < 3; ++map)
+            if (state.mapped(map)) bits |= unsigned(S::NORMAL_MAP) << map;
+        if (state.brdf() >= 0 && state.emits()) bits |= S::ENVLIGHT_EMISSION;
         return bits;
     }
 
@@ -177,7 +180,8 @@ const osg::StateSet* SurfaceSorter::variant(unsigned bits)
                                           "TEXTURE_BLEND",    "TEXTURE_ADD",      "ALPHA_TEXTURE",         "TEXGEN_OBJECT",
                                           "TEXGEN_EYE",       "TEXGEN_PROJECTED", "PAINTED_REFLECTION",    "UNLIT",
                                           "VERTEX_COLOR",     "FACE_NORMAL",      "PHONG_MATERIAL",        "TWO_SIDED",
-                                          "ENVLIGHT_LAMBERT", "ENVLIGHT_PHONG",   "ENVLIGHT_COOK_TORRANCE", "CLIP_PLANES"};
+                                          "ENVLIGHT_LAMBERT", "ENVLIGHT_PHONG",   "ENVLIGHT_COOK_TORRANCE", "CLIP_PLANES",
+                                          "NORMAL_MAP",       "METAL_ROUGH_MAP",  "EMISSION_MAP",          "ENVLIGHT_EMISSION"};
     std::lock_guard<std::mutex> lock(_mutex);
     osg::ref_ptr<osg::StateSet>& stateSet = _variants[bits];
     if (!stateSet) {

@@ -78,7 +78,11 @@ class OSGENVLIGHT_EXPORT SurfaceSorter : public osg::Referenced
         ENVLIGHT_LAMBERT = 1u << 16,
         ENVLIGHT_PHONG = 1u << 17,
         ENVLIGHT_COOK_TORRANCE = 1u << 18,
-        CLIP_PLANES = 1u << 19
+        CLIP_PLANES = 1u << 19,
+        NORMAL_MAP = 1u << 20,
+        METAL_ROUGH_MAP = 1u << 21,
+        EMISSION_MAP = 1u << 22,
+        ENVLIGHT_EMISSION = 1u << 23
     };
     const osg::StateSet* variant(unsigned bits);
     void say(const char* what, const char* how, const osg::Drawable* drawable);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "surface/SurfaceState.h"
 
+#include "surface/MaterialMaps.h"
+
 #include <osgEnvLight/Material>
 
 #include <osg/BlendEquation>
@@ -9,6 +11,7 @@
 #include <osg/LightModel>
 #include <osg/TexEnv>
 #include <osg/TexGen>
+#include <osg/Texture2D>
 #include <osg/TextureRectangle>
 
 #include <algorithm>
@@ -83,7 +86,23 @@ void SurfaceState::merge(const osg::StateSet& s)
         if (key.second == 0) mergeAttribute(key.first, pair);
     if (!s.getTextureModeList().empty() || !s.getTextureAttributeList().empty()) mergeTextures(s);
     if (s.getAttribute(osg::StateAttribute::PROGRAM)) _ownProgram = !s.getDefinePair(gbufferDefine);
-    if (!s.getUniformList().empty()) _brdf = Material::brdfOf(s, _brdf);
+    if (!s.getUniformList().empty()) mergeMaps(s);
+}
+
+void SurfaceState::mergeMaps(const osg::StateSet& s)
+{
+    _brdf = Material::brdfOf(s, _brdf);
+    for (size_t i = 0; i < _mapUnits.size(); ++i)
+        if (const osg::Uniform* unit = s.getUniform(MaterialMaps::samplers[i])) unit->get(_mapUnits[i]);
+    if (s.getUniform(MaterialMaps::emission)) _emits = true;
+}
+
+bool SurfaceState::mapped(unsigned map) const
+{
+    const int unit = _mapUnits[map];
+    if (_brdf < 0 || unit < 1 || unit > int(laterUnits)) return false;
+    const auto* t = _units[size_t(unit) - 1].texture.as<osg::Texture2D>();
+    return t && SurfaceFacts::hasTexels(*t);
 }
 
 void SurfaceState::mergeMode(osg::StateAttribute::GLMode mode, osg::StateAttribute::GLModeValue value)

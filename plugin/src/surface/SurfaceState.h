@@ -81,6 +81,10 @@ class OSGENVLIGHT_EXPORT SurfaceState
     bool phongMaterial() const;
     /** Back faces have a material of their own. */
     bool twoSided() const;
+    /** It has the texture of MaterialMaps::samplers[map]. */
+    bool mapped(unsigned map) const;
+    /** A Material says what it emits. */
+    bool emits() const { return _emits; }
     /** Planes of the host's cut it. */
     bool clipped() const;
 
@@ -121,6 +125,7 @@ class OSGENVLIGHT_EXPORT SurfaceState
     void mergeMode(osg::StateAttribute::GLMode mode, osg::StateAttribute::GLModeValue value);
     void mergeAttribute(osg::StateAttribute::Type type, const osg::StateSet::RefAttributePair& pair);
     void mergeTextures(const osg::StateSet& stateSet);
+    void mergeMaps(const osg::StateSet& stateSet);
     bool translucent(const osg::Geometry* geometry) const;
     bool usesLaterUnits() const;
     enum Blending { BLENDS_BY_ALPHA, BLENDS_PREMULTIPLIED, BLENDS_OTHERWISE };
@@ -157,6 +162,8 @@ class OSGENVLIGHT_EXPORT SurfaceState
     const osg::Depth* _nodeDepth = nullptr;
     bool _ownProgram = false;
     int _brdf = -1;
+    std::array<int, 3> _mapUnits{};  // 0: none
+    bool _emits = false;
 };
 
 }  // namespace osgEnvLight

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// Textures of osgEnvLight::Material beside the base colour.
+#include <SceneRenderer.h>
+
+#include <osgEnvLight/Material>
+
+#include <osg/Geometry>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using osgEnvLight::LitScene;
+using osgEnvLight::Material;
+using osgEnvLight::Settings;
+
+namespace
+{
+
+osg::ref_ptr<osg::Texture2D> evenTexture(const osg::Vec3d& color)
+{
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(1, 1, 1, GL_RGB, GL_FLOAT);
+    image->setInternalTextureFormat(GL_RGB32F_ARB);
+    for (int k = 0; k < 3; ++k) reinterpret_cast<float*>(image->data())[k] = float(color[k]);
+    osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
+    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::REPEAT);
+    texture->setWrap(osg::Texture::WRAP_T, osg::Texture::REPEAT);
+    return texture;
+}
+
+// Faces -Y, white metal; its first coordinates run along `s`, `t`, its second ones along t, s.
+osg::ref_ptr<osg::Geode> card(const osg::Vec3d& s, const osg::Vec3d& t)
+{
+    osg::ref_ptr<osg::Geode> geode = makeQuad(osg::Vec3d(-1, 0, -1), osg::Vec3d(2, 0, 0), osg::Vec3d(0, 0, 2));
+    osg::Geometry& geometry = *geode->getDrawable(0)->asGeometry();
+    const auto& vertices = static_cast<const osg::Vec3Array&>(*geometry.getVertexArray());
+    osg::ref_ptr<osg::Vec2Array> first = new osg::Vec2Array, second = new osg::Vec2Array;
+    for (const osg::Vec3f& v : vertices) {
+        first->push_back(osg::Vec2f(float(osg::Vec3d(v) * s), float(osg::Vec3d(v) * t)));
+        second->push_back(osg::Vec2f(float(osg::Vec3d(v) * t), float(osg::Vec3d(v) * s)));
+    }
+    geometry.setTexCoordArray(0, first);
+    geometry.setTexCoordArray(1, second);
+    Material::setCookTorrance(*geode->getOrCreateStateSet(), osg::Vec3f(1, 1, 1), 1.0f, 1.0f);
+    return geode;
+}
+
+class MaterialMaps : public testing::Test
+{
+  protected:
+    MaterialMaps() : renderer(32, 32) { renderer.lookAt(osg::Vec3d(0, -4, 0), osg::Vec3d()); }
+
+    osg::Vec3d middle(const osg::ref_ptr<osg::Node>& node, int view)
+    {
+        osg::ref_ptr<LitScene> lit = makeLit(constantMap(1.0).get());
+        lit->getSettings()->view = view;
+        lit->addChild(node);
+        return renderer.render(lit, 2).color(13, 18);
+    }
+
+    // As view = normal shows it.
+    osg::Vec3d normalOf(const osg::ref_ptr<osg::Node>& node)
+    {
+        return middle(node, Settings::NORMAL) * 2.0 - osg::Vec3d(1, 1, 1);
+    }
+
+    SceneRenderer renderer;
+};
+
+const osg::Vec3d x(1, 0, 0), z(0, 0, 1);
+
+void expectNear(const osg::Vec3d& expected, const osg::Vec3d& actual, const std::string& what)
+{
+    // Eight bits of the G-buffer's normals, and half floats.
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(expected[k], actual[k], 0.01) << what << ", " << k;
+}
+
+}  // namespace
+
+// A texel that leans by 30 degrees to the right, and one that leans up, by coordinates in all directions; and less by its scale.
+TEST_F(MaterialMaps, NormalsLeanAlongTheCoordinates)
+{
+    const double lean = 0.5, rest = std::sqrt(0.75);
+    const osg::ref_ptr<osg::Texture2D> right = evenTexture(osg::Vec3d(lean, 0, rest) * 0.5 + osg::Vec3d(0.5, 0.5, 0.5));
+    const osg::ref_ptr<osg::Texture2D> up = evenTexture(osg::Vec3d(0, lean, rest) * 0.5 + osg::Vec3d(0.5, 0.5, 0.5));
+    const std::pair<osg::Vec3d, osg::Vec3d> axes[] = {{x, z}, {-x, z}, {z, x}, {-z, -x}};
+    for (const auto& [s, t] : axes) {
+        osg::ref_ptr<osg::Geode> geode = card(s, t);
+        Material::setNormalMap(*geode->getStateSet(), right);
+        expectNear(s * lean - osg::Vec3d(0, rest, 0), normalOf(geode), "right");
+        Material::setNormalMap(*geode->getStateSet(), up);
+        expectNear(t * lean - osg::Vec3d(0, rest, 0), normalOf(geode), "up");
+        Material::setNormalMap(*geode->getStateSet(), up, 1.0f, true);
+        expectNear(t * -lean - osg::Vec3d(0, rest, 0), normalOf(geode), "up, from the top");
+        Material::setNormalMap(*geode->getStateSet(), right, 1.0f, false, 1);
+        expectNear(t * lean - osg::Vec3d(0, rest, 0), normalOf(geode), "right, by the second coordinates");
+        Material::setNormalMap(*geode->getStateSet(), right, 0.0f);
+        expectNear(osg::Vec3d(0, -1, 0), normalOf(geode), "without scale");
+    }
+}
+
+// Without coordinates there are no tangents: the surface keeps its normal.
+TEST_F(MaterialMaps, NormalsStayWhereThereAreNoCoordinates)
+{
+    osg::ref_ptr<osg::Geode> geode = makeQuad(osg::Vec3d(-1, 0, -1), osg::Vec3d(2, 0, 0), osg::Vec3d(0, 0, 2));
+    Material::setLambert(*geode->getOrCreateStateSet(), osg::Vec3f(1, 1, 1));
+    Material::setNormalMap(*geode->getStateSet(), evenTexture(osg::Vec3d(0.9, 0.5, 0.8)));
+    expectNear(osg::Vec3d(0, -1, 0), normalOf(geode), "no coordinates");
+}
+
+TEST_F(MaterialMaps, RoughnessAndMetalnessAreMultiplied)
+{
+    osg::ref_ptr<osg::Geode> geode = card(x, z);
+    expectNear(osg::Vec3d(), middle(geode, Settings::ALBEDO), "metal");
+    Material::setMetalRoughMap(*geode->getStateSet(), evenTexture(osg::Vec3d(0.3, 0.5, 0.25)));
+    expectNear(osg::Vec3d(0.75, 0.75, 0.75), middle(geode, Settings::ALBEDO), "a quarter of it is metal");
+    // A map without texels is none.
+    Material::setMetalRoughMap(*geode->getStateSet(), new osg::Texture2D(new osg::Image));
+    expectNear(osg::Vec3d(), middle(geode, Settings::ALBEDO), "no texels");
+}
+
+TEST_F(MaterialMaps, EmissionReplacesThatOfTheHostsMaterial)
+{
+    osg::ref_ptr<osg::Geode> geode = card(x, z);
+    const osg::ref_ptr<osg::Material> host = new osg::Material;
+    host->setEmission(osg::Material::FRONT_AND_BACK, osg::Vec4(1, 1, 1, 1));
+    geode->getStateSet()->setAttributeAndModes(host);
+    Material::setEmission(*geode->getStateSet(), osg::Vec3f(2.0f, 1.0f, 0.5f));
+    expectNear(osg::Vec3d(2.0, 1.0, 0.5), middle(geode, Settings::EMISSION), "without a map");
+    Material::setEmission(*geode->getStateSet(), osg::Vec3f(2.0f, 1.0f, 0.5f), evenTexture(osg::Vec3d(1.0, 0.735357, 0.0)));
+    expectNear(osg::Vec3d(2.0, 0.5, 0.0), middle(geode, Settings::EMISSION), "half as encoded");
+}
