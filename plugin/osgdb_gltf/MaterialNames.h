@@ -31,12 +31,14 @@ namespace osgEnvLight::gltf
  * envlightNormalScale       float  x and y of the normal map; with envlightNormalMap
  * envlightNormalUp          float  -1: green points to where the second coordinate is 0; with envlightNormalMap
  * envlightOcclusionStrength float  with envlightOcclusionMap
- * envlightEmission          vec3   linear radiance, emissiveFactor times KHR_materials_emissive_strength, and of
- * envlightEmissionMap. With the map, the osg::Material emits nothing envlightCoat              float  KHR_materials_clearcoat
+ * envlightEmission          vec3   envlightEmissionMap; linear radiance: emissiveFactor times emissiveStrength
+ * envlightCoat              float  KHR_materials_clearcoat
  * envlightCoatRoughness     float  KHR_materials_clearcoat
  * envlightIor               float  KHR_materials_ior
  * envlightSpecularFactor    float  KHR_materials_specular
  * envlightSpecularColor     vec3   KHR_materials_specular, linear
+ *
+ * With envlightEmissionMap the osg::Material emits nothing, or all of the surface would glow where the map is not read.
  *
  * A uniform is there only where the file says something: that is how to see which features a surface has.
  *
