@@ -3,8 +3,6 @@
 // What surfaces of the picture show in a glossy one, first part: one ray a pixel, in the mirror direction or, of wider lobes, in a
 // direction of the lobe that is the pixel's own in its 4x4 cell [indirect2.md 3, 6]. It reads this frame's picture, in which the lobes
 // have the mean radiance of what blocks light: nothing of an earlier frame, so that nothing trails behind what moves.
-#pragma import_defines(SHOWS_SCENE)
-
 #include "lib/frame.glsl"
 #include "lib/march.glsl"
 #include "lib/sequence.glsl"
@@ -12,9 +10,7 @@
 #include "pass/albedo.glsl"
 #include "pass/lobewidth.glsl"
 
-#ifdef SHOWS_SCENE
 uniform sampler2D radianceMap;
-#endif
 uniform float sceneRadius;
 uniform int reflectionSteps;
 
@@ -62,9 +58,5 @@ void main()
     ScreenHit hit = screenRayHit(depthMap, ray, reflectionSteps, phase);
     if (!hit.found || dot(pixelNormal(hit.pixel), ray.direction) >= 0.0) return;
     float share = smoothstep(0.0, 0.1, hit.border);  // fades where the picture ends
-#ifdef SHOWS_SCENE
     reflection = share * vec4(texelFetch(radianceMap, hit.pixel, 0).rgb, 1.0);
-#else
-    reflection = share * vec4(0.0, 0.0, 0.0, 1.0);
-#endif
 }

@@ -26,7 +26,7 @@ void drawGlossy(PassBuilder& b)
 Requirement requireReflections(const FrameContext& c)
 {
     Requirement reflections = requireSpecular(c);
-    reflections.unless(c.settings.reflections == Settings::REFLECTIONS_OFF, "switched off");
+    reflections.unless(c.settings.reflections != Settings::REFLECTIONS_SCREEN, "switched off");
     reflections.unless(c.settings.view != Settings::BEAUTY, "an intermediate is shown");
     return reflections.unless(!c.decisions.atlas.needed, "without the atlas nobody knows what blocks the map");
 }
@@ -120,11 +120,7 @@ void ReflectionsPass::setup(PassBuilder& b, FrameContext& c)
     b.readGBuffer();
     b.settings<SpecularSettings>();
     readLobes(b, c);
-    // Else what is met hides the map, and is black.
-    if (c.settings.reflections == Settings::REFLECTIONS_SCREEN) {
-        b.define("SHOWS_SCENE");
-        b.read(b.find("radiance"), "radianceMap");
-    }
+    b.read(b.find("radiance"), "radianceMap");
     b.drawMarked(b.find("pixel marks"), limits::MARK_TRACED);
     b.write(b.create("reflection", {GL_RGBA32F_ARB}));
 }
@@ -144,7 +140,7 @@ void ReflectionFilterPass::setup(PassBuilder& b, FrameContext& c)
     b.read(b.find("reflection"), "reflectionMap");
     b.read(b.find("specular"), "specularTermMap");
     b.read(b.find("blocked lobe"), "blockedLobeMap");
-    b.define("HAS_BOUNCE", c.settings.reflections == Settings::REFLECTIONS_SCREEN && b.read("bounce", "bounceMap"));
+    b.define("HAS_BOUNCE", b.read("bounce", "bounceMap"));
     b.drawMarked(b.find("pixel marks"), c.still ? limits::MARK_GLOSSY : limits::MARK_TRACED);
     b.addLaterTo(b.find("radiance"));
     if (!c.still) return;
