@@ -29,7 +29,8 @@ float lobeNarrowness(float roughness, float alphas)
     return 1.0 / (angle * angle);
 }
 
-// By how much a lobe turns at most between two pixels, as an angle of normals: by that of the normals, and by half of that of the view.
+// How far a lobe turns between two pixels at most, as an angle of half vectors. normals: their difference. view: angle between the
+// view rays, of which a half vector turns by half.
 float lobeTurn(vec3 normals, float view)
 {
     return length(normals) + 0.5 * view;

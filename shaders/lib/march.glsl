@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where does a ray meet what the view shows? Points along it, denser near its origin, until one lies behind the depth buffer and the
-// one before it did not; then bisection [indirect2.md 3].
+// Where does a ray meet a surface that the view shows? Points along the ray, denser near its origin, are compared with the depth
+// buffer. Bisection refines the first one that lies behind it [indirect2.md 3].
 #ifndef MARCH_GLSL
 #define MARCH_GLSL
 
@@ -38,14 +38,24 @@ float screenRayEnd(ScreenRay ray)
     return end;
 }
 
-// By how much the ray's point at t lies behind the surface seen in its pixel, along the view; negative before it or where nothing is.
+vec2 screenRayNdc(ScreenRay ray, vec3 p)
+{
+    vec4 c = ray.projection * vec4(p, 1.0);
+    return vec2(c) / c.w;
+}
+
+ivec2 screenRayPixel(ScreenRay ray, vec2 ndc)
+{
+    return ivec2(clamp(0.5 * ndc + 0.5, vec2(0.0), vec2(0.999999)) * ray.size);
+}
+
+// Distance along the view from the surface in the pixel of the ray's point at t to that point; negative if the point is in front of it,
+// or if the pixel shows nothing.
 float screenRayBehind(sampler2D depthMap, ScreenRay ray, float t)
 {
     vec3 p = ray.origin + t * ray.direction;
-    vec4 c = ray.projection * vec4(p, 1.0);
-    vec2 ndc = vec2(c) / c.w;
-    ivec2 texel = ivec2(clamp(0.5 * ndc + 0.5, vec2(0.0), vec2(0.999999)) * ray.size);
-    float depth = texelFetch(depthMap, texel, 0).x;
+    vec2 ndc = screenRayNdc(ray, p);
+    float depth = texelFetch(depthMap, screenRayPixel(ray, ndc), 0).x;
     if (depth >= 1.0) return -1.0;
     return eyeFromDepth(ray.inverseProjection, ndc, depth).z - p.z;
 }
@@ -77,9 +87,8 @@ ScreenHit screenRayHit(sampler2D depthMap, ScreenRay ray, int steps, float phase
     }
     float behind = screenRayBehind(depthMap, ray, after);
     hit.found = behind > 0.0 && behind < ray.thickness + (after - before);
-    vec4 c = ray.projection * vec4(ray.origin + after * ray.direction, 1.0);
-    vec2 ndc = vec2(c) / c.w;
-    hit.pixel = ivec2(clamp(0.5 * ndc + 0.5, vec2(0.0), vec2(0.999999)) * ray.size);
+    vec2 ndc = screenRayNdc(ray, ray.origin + after * ray.direction);
+    hit.pixel = screenRayPixel(ray, ndc);
     hit.border = min(1.0 - abs(ndc.x), 1.0 - abs(ndc.y));
     return hit;
 }

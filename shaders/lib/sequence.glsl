@@ -20,8 +20,8 @@ vec2 hammersley(uint i, uint n)
     return vec2((float(i) + 0.5) / float(n), radicalInverse(i) + 0.5 / float(n));
 }
 
-// Sample j of n of the pixel of that number in its 4x4 cell, in [0,1)^2. The n points of a pixel are a lattice of low discrepancy, and
-// so are the 16 n of a cell: of the numbers k + .618, 3.618 has that of both (measured for n = 4 .. 32: that of Hammersley's sets).
+// Sample j of n, in [0,1)^2, of a pixel by its number in its 4x4 cell. The n points of a pixel are a lattice of low discrepancy, and so
+// are the 16 n points of a cell. Measured for n = 4 .. 32: as even as Hammersley's sets; .618 alone is even in the pixel only.
 vec2 cellPoint(int j, int pixel, int n)
 {
     float i = float(j) + float(pixel) / 16.0;

@@ -1,14 +1,12 @@
 #version 330 compatibility
 #extension GL_ARB_shading_language_packing : require
 // SPDX-License-Identifier: MIT
-// S, last part: the rows' sums filtered along columns. The map's radiance in the lobe is a ratio of sums, so that an even map is
-// reflected exactly; how much of it the scene leaves is another one, light by light and per colour [specular.md 4]; suns are apart.
+// S, last part: the rows' sums filtered along columns. The map's radiance in the lobe is a ratio of two sums, so that an even map is
+// reflected exactly. What the scene leaves of it is a ratio of sums over lights, one for each colour [specular.md 4]. Suns are added.
 // LOBES_SHARP: a still view's later frames average over time instead, and take what is blocked light by light.
 #pragma import_defines(HAS_SUNS, LOBES_SHARP, HAS_SHOWN, KEEPS_SHOWN)
 
-#include "pass/albedo.glsl"
 #include "pass/lobefilter.glsl"
-#include "pass/lobewidth.glsl"
 
 #ifdef HAS_SUNS
 uniform sampler2D sunGlintMap;
@@ -19,17 +17,11 @@ uniform sampler2D shownMap;
 
 layout(location = 0) out vec4 specular;
 #ifdef HAS_LOBE_LIGHTS
-layout(location = 1) out vec4 blockedLobe;  // the part of the lobe's albedo that surfaces take from the map, and the share that this is
+layout(location = 1) out vec4 blockedLobe;  // rgb: the lobe's albedo times alpha, the share of the map that surfaces hide
 #ifdef KEEPS_SHOWN
 layout(location = 2) out vec4 shownLobe;
 #endif
 #endif
-
-vec3 reflectedShare(ivec2 p)
-{
-    float cosV = -dot(pixelNormal(p), viewRay(inverseProjection, pixelNdc(p)));
-    return bsdfOf(pixelBrdf(p), texelFetch(specularMap, p, 0).rgb, texelFetch(normalMap, p, 0).a, max(cosV, 1e-4)).reflected;
-}
 
 vec3 ratio(vec3 num, vec3 den, float none)
 {
@@ -39,7 +31,7 @@ vec3 ratio(vec3 num, vec3 den, float none)
 void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
-    vec3 reflected = reflectedShare(p);
+    vec3 reflected = pixelReflected(p);
     vec3 shown = vec3(1.0);
 #ifdef LOBES_SHARP
     vec4 estimate = texelFetch(estimateMap, p, 0);

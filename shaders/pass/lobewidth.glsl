@@ -5,8 +5,8 @@
 
 const float NARROW_ROUGHNESS = 0.25;     // below: by its direction alone; the map's lights lie farther apart than it is wide
 const float TRACED_ROUGHNESS = 0.5;      // below: the picture is searched for what it shows
-// How far lobes of pixels may turn that share what they know, in alphas: of the map, which the filter so widens by a twentieth; and of
-// what blocks it (courtyard, r .2 and .3: .5 errs by 6.8 and 6.4 %, 1 by 5.5 and 4.9).
+// Pixels share what they know while their lobes turn by less than so many alphas. The map: the filter widens the lobe by a twentieth.
+// What blocks it: .5 errs by 6.8 and 6.4 % at roughness .2 and .3 under courtyard, 1 by 5.5 and 4.9.
 const float SHARED_TURN = 0.35;
 const float SHARED_VISIBILITY_TURN = 1.0;
 

@@ -179,7 +179,6 @@ void addToLobe(Lobe lobe, vec4 flux, vec3 direction, float seen, inout LobeLight
 
 #ifdef HAS_ATLAS
 // A lobe that is narrower than the lights lie apart asks those four that are nearest to its direction [indirect2.md 3].
-
 float mirrorOpen(Lobe lobe, vec3 point, vec3 normal)
 {
     vec3 d = lobe.lightsFromLocal * vec3(-lobe.view.x, -lobe.view.y, lobe.view.z);
@@ -296,8 +295,10 @@ void main()
     }
 #endif
 #if defined(HAS_LOBES) && defined(HAS_ATLAS)
-    if (lobe.roughness < NARROW_ROUGHNESS && lobe.bsdf.brdf != BRDF_LAMBERT)
-        lobeLights = LobeLights(vec3(mirrorOpen(lobe, point, normal)), vec3(1.0), vec2(mirrorOpen(lobe, point, normal), 1.0));
+    if (lobe.roughness < NARROW_ROUGHNESS && lobe.bsdf.brdf != BRDF_LAMBERT) {
+        float open = mirrorOpen(lobe, point, normal);
+        lobeLights = LobeLights(vec3(open), vec3(1.0), vec2(open, 1.0));
+    }
 #endif
 #ifdef HAS_LOBES
     lobeTexel = packLobeLights(lobeLights);

@@ -1,13 +1,10 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// Last part: the rays of the 4x4 pixels about each, of which each takes another direction of the lobe, averaged as the lobes' other sums
-// are; and what the picture's surfaces show in place of the mean radiance of all that blocks light. Added to the picture.
+// What glossy surfaces show of the picture, last part. The 4x4 pixels about each have rays in different directions of the lobe; their
+// mean replaces the mean radiance of all that blocks light. The difference is added to the picture.
 #pragma import_defines(HAS_BOUNCE, KEEPS_REFLECTED)
 
-#include "lib/bilateral.glsl"
-#include "pass/gbuffer.glsl"
-#include "pass/albedo.glsl"
-#include "pass/lobewidth.glsl"
+#include "pass/lobeneighbours.glsl"
 #ifdef HAS_BOUNCE
 #include "pass/meanradiance.glsl"
 #endif
@@ -22,26 +19,19 @@ layout(location = 0) out vec4 change;
 layout(location = 1) out vec4 sentByScene;  // for a still view's later frames
 #endif
 
-vec4 cellMean(ivec2 p, vec4 surface)
+// Of the 4x4 pixels about p.
+vec4 cellMean(ivec2 p)
 {
-    vec3 normal = normalize(surface.xyz * 2.0 - 1.0);
-    vec2 ndc = pixelNdc(p);
-    float depth = texelFetch(depthMap, p, 0).r;
-    PixelPlane plane = pixelPlane(eyeFromDepth(inverseProjection, ndc, depth), normal,
-                                  1.5 * pixelFootprint(inverseProjection, ndc, depth, viewportSize));
-    float narrowness = lobeNarrowness(surface.a, SHARED_VISIBILITY_TURN);
-    float viewTurn = pixelTurn(ndc);
+    LobeReceiver receiver = lobeReceiver(p);
+    float narrowness = lobeNarrowness(receiver.roughness, SHARED_VISIBILITY_TURN);
     ivec2 last = ivec2(viewportSize) - 1;
     vec4 sum = vec4(0.0);
     float all = 0.0;
     for (int i = 0; i < 16; ++i) {
         ivec2 to = ivec2(i & 3, i >> 2) - 2;
         ivec2 q = clamp(p + to, ivec2(0), last);
-        vec4 there = texelFetch(normalMap, q, 0);
-        float z = texelFetch(depthMap, q, 0).r;
-        vec3 n = there.xyz * 2.0 - 1.0;
-        float w = z < 1.0 ? surfaceWeight(planeDistance(plane, q, z), dot(normal, n)) * lobeWeight(lobeTurn(normal - n, length(vec2(to)) * viewTurn), narrowness) *
-                  alikeWeight(surface.a - there.a) : 0.0;
+        float turn;
+        float w = lobeNeighbour(receiver, q, length(vec2(to)), turn) * lobeWeight(turn, narrowness);
         sum += w * texelFetch(reflectionMap, q, 0);
         all += w;
     }
@@ -51,17 +41,14 @@ vec4 cellMean(ivec2 p, vec4 surface)
 void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
-    vec4 surface = texelFetch(normalMap, p, 0);
-    bool isNarrow = surface.a < NARROW_ROUGHNESS;
-    vec4 met = isNarrow ? texelFetch(reflectionMap, p, 0) : cellMean(p, surface);
-    float strength = 1.0 - smoothstep(TRACED_ROUGHNESS - 0.1, TRACED_ROUGHNESS, surface.a);
-    vec3 n = pixelNormal(p);
-    vec3 ray = viewRay(inverseProjection, pixelNdc(p));
-    vec3 reflected = bsdfOf(pixelBrdf(p), texelFetch(specularMap, p, 0).rgb, surface.a, max(-dot(n, ray), 1e-4)).reflected;
+    float roughness = texelFetch(normalMap, p, 0).a;
+    vec4 met = roughness < NARROW_ROUGHNESS ? texelFetch(reflectionMap, p, 0) : cellMean(p);
+    float strength = 1.0 - smoothstep(TRACED_ROUGHNESS - 0.1, TRACED_ROUGHNESS, roughness);
+    vec3 reflected = pixelReflected(p);
     vec4 blocked = texelFetch(blockedLobeMap, p, 0);  // w: share
     vec3 mean = vec3(0.0);
 #ifdef HAS_BOUNCE
-    mean = meanRadiance(reflect(ray, n));
+    mean = meanRadiance(reflect(viewRay(inverseProjection, pixelNdc(p)), pixelNormal(p)));
 #endif
     vec3 sent = reflected * (met.rgb + max(blocked.w - met.w, 0.0) * mean);
     // Rays that meet more than the maps know to be in the way hide the map, too.

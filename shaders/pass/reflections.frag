@@ -1,8 +1,8 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// What surfaces of the picture show in a glossy one, first part: one ray a pixel, in the mirror direction or, of wider lobes, in a
-// direction of the lobe that is the pixel's own in its 4x4 cell [indirect2.md 3, 6]. It reads this frame's picture, in which the lobes
-// have the mean radiance of what blocks light: nothing of an earlier frame, so that nothing trails behind what moves.
+// What glossy surfaces show of the picture, first part: one ray a pixel [indirect2.md 3, 6]. A narrow lobe's ray goes in the mirror
+// direction; in wider lobes each pixel of a 4x4 cell takes another direction. Rays read this frame's picture, in which the lobes
+// still show the mean radiance of what blocks light. No earlier frame is read, so nothing trails behind what moves.
 #include "lib/frame.glsl"
 #include "lib/march.glsl"
 #include "lib/sequence.glsl"

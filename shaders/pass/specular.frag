@@ -1,9 +1,9 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// S, first part: the map's radiance in the lobe, the integral of L f_H cos [seed 000, eq. 3, first term] over the lobe's albedo, as
-// sums that the filter averages over a 4x4 cell, each pixel with samples of its own [specular.md 2]. Narrow lobes by filtered
-// importance sampling [Colbert, Krivanek 2008]: directions from the BRDF, each look-up as wide as the sample's share of the lobe;
-// wide ones by a sixteenth of the texels of a coarse level. Radiance in units of the map's mean.
+// S, first part: the map's radiance in the lobe, the integral of L f_H cos [seed 000, eq. 3, first term] over the lobe's albedo.
+// Each pixel of a 4x4 cell takes samples of its own, and leaves two sums, which the filter averages over the cell [specular.md 2].
+// Narrow lobes use filtered importance sampling [Colbert, Krivanek 2008]: directions from the BRDF, each look-up as wide as the
+// sample's share of the lobe. Wide lobes sum a sixteenth of the texels of a coarse level. Radiance in units of the map's mean.
 #pragma import_defines(HAS_SUNS)
 
 #include "lib/bilateral.glsl"
@@ -168,15 +168,14 @@ vec4 sampled(LobePixel l, int samples)
 {
     vec3 r = vec3(-l.view.x, -l.view.y, l.view.z);
     bool isMirror = l.alpha < MIRROR_ALPHA;
-    vec3 reflected = mirror(l.mapFromLocal * r);
 #ifdef HAS_COOK_TORRANCE
     if (l.bsdf.brdf == BRDF_COOK_TORRANCE)
-        return isMirror ? vec4(fresnelSchlick(l.bsdf.f0, l.view.z) * reflected, 1.0) : cookTorrance(l, samples);
+        return isMirror ? vec4(fresnelSchlick(l.bsdf.f0, l.view.z) * mirror(l.mapFromLocal * r), 1.0) : cookTorrance(l, samples);
 #endif
 #ifdef HAS_PHONG
     if (l.bsdf.brdf == BRDF_PHONG) {
         float n = phongExponent(l.bsdf.roughness);
-        return isMirror ? vec4(l.bsdf.f0 * ((n + 2.0) / (n + 1.0) * l.view.z) * reflected, 1.0) : phong(l, samples);
+        return isMirror ? vec4(l.bsdf.f0 * ((n + 2.0) / (n + 1.0) * l.view.z) * mirror(l.mapFromLocal * r), 1.0) : phong(l, samples);
     }
 #endif
     return vec4(0.0);
