@@ -5,14 +5,11 @@
 #include "frame/FrameGraph.h"
 
 #include <SceneRenderer.h>
+#include <ShaderFolder.h>
 
 #include <osgEnvLight/Material>
 
 #include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 
 using osgEnvLight::FrameContext;
 using osgEnvLight::FrameGraph;
@@ -133,41 +130,20 @@ class WithPasses : public LitScene
     std::vector<osg::ref_ptr<osgEnvLight::RenderPass>> passes;
 };
 
-// The shaders of these passes, where the library looks for those that replace its own.
-class ShaderFolder
+// Of these passes.
+void addShaders(ShaderFolder& folder)
 {
-  public:
-    ShaderFolder() : _path(std::filesystem::temp_directory_path() / ("envlight_graph_" + std::to_string(getpid())))
-    {
-        std::filesystem::create_directories(_path / "pass");
-        std::ofstream(_path / "pass" / "glow.frag") << "#version 330 compatibility\n"
-                                                       "#include \"pass/gbuffer.glsl\"\n"
-                                                       "uniform vec3 glow;\n"
-                                                       "layout(location = 0) out vec4 emission;\n"
-                                                       "void main() { emission = isBackground(ivec2(gl_FragCoord.xy)) ? "
-                                                       "vec4(0.0) : vec4(glow, 0.0); }\n";
-        std::ofstream(_path / "pass" / "unread.frag") << "#version 330 compatibility\nvoid main() { this does not compile; }\n";
-        std::ofstream(_path / "pass" / "marked.frag")
-            << "#version 330 compatibility\nlayout(location = 0) out vec4 one;\nvoid main() { one = vec4(1.0); }\n";
-        std::ofstream(_path / "pass" / "showmarked.frag")
-            << "#version 330 compatibility\nuniform sampler2D markedMap;\nlayout(location = 0) out vec4 emission;\n"
-               "void main() { emission = texelFetch(markedMap, ivec2(gl_FragCoord.xy), 0); }\n";
-        std::ofstream(_path / "pass" / "later.frag")
-            << "#version 330 compatibility\nlayout(location = 0) out vec4 one;\nvoid main() { one = vec4(1.0); }\n";
-        std::ofstream(_path / "pass" / "showlater.frag")
-            << "#version 330 compatibility\nuniform sampler2D markedMap;\nlayout(location = 0) out vec4 emission;\n"
-               "void main() { emission = 0.25 * texelFetch(markedMap, ivec2(gl_FragCoord.xy), 0); }\n";
-        setenv("ENVLIGHT_SHADER_PATH", _path.c_str(), 1);
-    }
-    ~ShaderFolder()
-    {
-        unsetenv("ENVLIGHT_SHADER_PATH");
-        std::filesystem::remove_all(_path);
-    }
-
-  private:
-    std::filesystem::path _path;
-};
+    const std::string one = "layout(location = 0) out vec4 one;\nvoid main() { one = vec4(1.0); }\n";
+    const std::string marked = "uniform sampler2D markedMap;\nlayout(location = 0) out vec4 emission;\n";
+    folder.add("glow",
+               "#include \"pass/gbuffer.glsl\"\nuniform vec3 glow;\nlayout(location = 0) out vec4 emission;\n"
+               "void main() { emission = isBackground(ivec2(gl_FragCoord.xy)) ? vec4(0.0) : vec4(glow, 0.0); }\n");
+    folder.add("unread", "void main() { this does not compile; }\n");
+    folder.add("marked", one);
+    folder.add("later", one);
+    folder.add("showmarked", marked + "void main() { emission = texelFetch(markedMap, ivec2(gl_FragCoord.xy), 0); }\n");
+    folder.add("showlater", marked + "void main() { emission = 0.25 * texelFetch(markedMap, ivec2(gl_FragCoord.xy), 0); }\n");
+}
 
 osg::ref_ptr<WithPasses> makeScene()
 {
@@ -183,9 +159,13 @@ osg::ref_ptr<WithPasses> makeScene()
 class FrameGraphTest : public testing::Test
 {
   protected:
-    FrameGraphTest() : renderer(32, 32) { renderer.lookAt(osg::Vec3d(0, -6, 0), osg::Vec3d()); }
+    FrameGraphTest() : renderer(32, 32)
+    {
+        addShaders(folder);
+        renderer.lookAt(osg::Vec3d(0, -6, 0), osg::Vec3d());
+    }
 
-    const ShaderFolder folder;
+    ShaderFolder folder;
     SceneRenderer renderer;
 };
 

@@ -4,6 +4,7 @@
 #include "frame/FrameGraph.h"
 
 #include <SceneRenderer.h>
+#include <ShaderFolder.h>
 
 #include <osgEnvLight/Material>
 
@@ -13,10 +14,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
@@ -50,28 +48,6 @@ class FilterWidthPass : public osgEnvLight::RenderPass
 
   private:
     const bool _asks;
-};
-
-// Its shader, where the library looks for those that replace its own.
-class ShaderFolder
-{
-  public:
-    ShaderFolder() : _path(std::filesystem::temp_directory_path() / ("envlight_settings_" + std::to_string(getpid())))
-    {
-        std::filesystem::create_directories(_path / "pass");
-        std::ofstream(_path / "pass" / "filterwidth.frag")
-            << "#version 330 compatibility\nuniform int filterCells;\nlayout(location = 0) out vec4 emission;\n"
-               "void main() { emission = vec4(vec3(filterCells) * 0.125, 0.0); }\n";
-        setenv("ENVLIGHT_SHADER_PATH", _path.c_str(), 1);
-    }
-    ~ShaderFolder()
-    {
-        unsetenv("ENVLIGHT_SHADER_PATH");
-        std::filesystem::remove_all(_path);
-    }
-
-  private:
-    std::filesystem::path _path;
 };
 
 // Keeps the state sets of all that its views draw, from the outermost on.
@@ -209,7 +185,10 @@ TEST(PassSettings, ShadowMapsReadNone)
 
 TEST(PassSettings, AUsersPassAsksForThem)
 {
-    const ShaderFolder folder;
+    ShaderFolder folder;
+    folder.add("filterwidth",
+               "uniform int filterCells;\nlayout(location = 0) out vec4 emission;\n"
+               "void main() { emission = vec4(vec3(filterCells) * 0.125, 0.0); }\n");
     for (const bool asks : {true, false}) {
         SceneRenderer renderer(24, 24);
         const osg::ref_ptr<WatchedScene> lit = makeScene();
