@@ -97,14 +97,12 @@ float ggxReflectionPdf(vec3 v, vec3 h, float alpha)
     return ggxPdfFactor(v.z, ggxRoot(v.z, alpha), alpha) / (d * d);
 }
 
-// By which the lights of maps weigh in a lobe: the distribution of normals half-way, unnormalized. Narrower ones than of
-// alpha .3 would hold too few of the lights.
-float lobeShare(vec3 v, vec3 l, float roughness)
+// By which the lights of maps weigh in a lobe: the distribution of normals half-way, over its peak.
+float lobeShare(vec3 v, vec3 l, float alpha)
 {
-    float alpha = max(roughness * roughness, 0.3);
     vec3 h = normalize(v + l);
     float t = ggxSpread(h, alpha);
-    return 1.0 / (t * t);
+    return pow(alpha, 4.0) / (t * t);
 }
 
 #endif

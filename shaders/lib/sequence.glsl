@@ -22,9 +22,9 @@ vec2 hammersley(uint i, uint n)
 
 // Sample j of n, in [0,1)^2, of a pixel by its number in its 4x4 cell. The n points of a pixel are a lattice of low discrepancy, and so
 // are the 16 n points of a cell. Measured for n = 4 .. 32: as even as Hammersley's sets; .618 alone is even in the pixel only.
-vec2 cellPoint(int j, int pixel, int n)
+vec2 cellPoint(int j, float pixel, int n)
 {
-    float i = float(j) + float(pixel) / 16.0;
+    float i = float(j) + pixel / 16.0;
     return vec2(i / float(n), fract(3.6180340 * i));
 }
 

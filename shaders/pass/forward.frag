@@ -59,6 +59,9 @@ vec4 cellMean(vec4 v, ivec2 p)
 }
 #endif
 
+// Narrower lobes would hold too few of the map's lights.
+const float LEAST_ALPHA = 0.3;
+
 SkySeen skySeen(Surface s)
 {
 #ifdef HAS_ATLAS
@@ -78,7 +81,7 @@ SkySeen skySeen(Surface s)
             float c = dot(normal, light.direction);
             if (c <= 0.0) continue;
             vec4 e = c * vec4(light.flux, light.solidAngle);
-            float l = e.a * lobeShare(view, localFromLights * light.direction, s.roughness);
+            float l = e.a * lobeShare(view, localFromLights * light.direction, max(s.roughness * s.roughness, LEAST_ALPHA));
             float seen = atlasSees(light, point, normal, c);
             num += seen * e;
             den += e;

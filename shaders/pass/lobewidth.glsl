@@ -3,7 +3,9 @@
 #ifndef LOBEWIDTH_GLSL
 #define LOBEWIDTH_GLSL
 
-const float NARROW_ROUGHNESS = 0.25;     // below: by its direction alone; the map's lights lie farther apart than it is wide
+const float NARROW_ROUGHNESS = 0.25;     // below: one ray, in the mirror direction
+const vec2 DEALT_ROUGHNESS = vec2(0.2, 0.3);  // from here on all of the map's lights are asked, by a cell of pixels
+const float FAR_ROUGHNESS = 0.5;         // below: those near the lobe by each pixel
 const float TRACED_ROUGHNESS = 0.5;      // below: the picture is searched for what it shows
 // Pixels share what they know while their lobes turn by less than so many alphas. The map: the filter widens the lobe by a twentieth.
 // What blocks it: .5 errs by 6.8 and 6.4 % at roughness .2 and .3 under courtyard, 1 by 5.5 and 4.9.

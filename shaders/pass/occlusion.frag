@@ -19,6 +19,7 @@
 
 #include "lib/bsdf.glsl"
 #include "lib/frame.glsl"
+#include "lib/limits.glsl"
 #include "lib/opensky.glsl"
 #include "lib/sequence.glsl"
 #include "lib/slices.glsl"
@@ -149,9 +150,11 @@ int bitNumber(uint bit)
 // A pixel's lobe in the frame of the lights.
 struct Lobe {
     mat3 lightsFromLocal;
-    vec3 view;  // local
+    vec3 view;      // local
     Bsdf bsdf;
-    float roughness;
+    float peak;     // of its values, about
+    float dealt;    // share of the lights that are not near it: too few fall into a narrow lobe's tails
+    uvec4 near[2];  // which lights are near its direction, as in nearestLightMap: each pixel asks all of them
 };
 
 Lobe lobeAt(ivec2 p, vec3 normal)
@@ -160,41 +163,40 @@ Lobe lobeAt(ivec2 p, vec3 normal)
     mat3 eyeFromLocal = frameAround(normal);
     lobe.lightsFromLocal = lightsFromEye() * eyeFromLocal;
     lobe.view = pixelView(p, eyeFromLocal);
-    lobe.roughness = texelFetch(normalMap, p, 0).a;
+    // No narrower than a tenth of what the lights lie apart: it changes from one to the next without a step.
+    float roughness = max(texelFetch(normalMap, p, 0).a, 0.1);
     // What several scatterings add is the same for all lights.
-    lobe.bsdf = makeBsdf(pixelBrdf(p), texelFetch(specularMap, p, 0).rgb, lobe.roughness, vec2(1.0, 0.0));
+    lobe.bsdf = makeBsdf(pixelBrdf(p), texelFetch(specularMap, p, 0).rgb, roughness, vec2(1.0, 0.0));
+    lobe.peak = 1.0 / (roughness * roughness * roughness * roughness);
+    lobe.dealt = smoothstep(DEALT_ROUGHNESS.x, DEALT_ROUGHNESS.y, roughness);
+    lobe.near[0] = uvec4(0u);
+    lobe.near[1] = uvec4(0u);
+#ifdef HAS_ATLAS
+    if (roughness >= FAR_ROUGHNESS || lobe.bsdf.brdf == BRDF_LAMBERT) return lobe;
+    int side = textureSize(nearestLightMap, 0).y;
+    vec3 d = lobe.lightsFromLocal * vec3(-lobe.view.x, -lobe.view.y, lobe.view.z);
+    ivec2 cell = min(ivec2(octahedralFromDirection(d) * float(side)), side - 1);
+    for (int k = 0; k < 2; ++k) lobe.near[k] = texelFetch(nearestLightMap, ivec2(2 * cell.x + k, cell.y), 0);
+#endif
     return lobe;
 }
 
-// flux: of the light, times the cosine; direction: unit.
-void addToLobe(Lobe lobe, vec4 flux, vec3 direction, float seen, inout LobeLights sums)
+bool isNear(Lobe lobe, int group, int i)
+{
+    return (lobe.near[i >> 3][(i >> 1) & 3] & (1u << (group + 16 * (i & 1)))) != 0u;
+}
+
+// flux: of the light, times the cosine; direction: unit; count: of lights that it stands for.
+void addToLobe(Lobe lobe, vec4 flux, vec3 direction, bool isSeen, float count, inout LobeLights sums)
 {
     vec3 l = direction * lobe.lightsFromLocal;
-    vec3 e = flux.rgb * bsdfLobe(lobe.bsdf, lobe.view, l);
-    float s = flux.a * lobeShare(lobe.view, l, lobe.roughness);
+    vec3 e = flux.rgb * bsdfLobe(lobe.bsdf, lobe.view, l) * (count / lobe.peak);
+    float s = flux.a * lobeShare(lobe.view, l, lobe.bsdf.roughness * lobe.bsdf.roughness) * count;
+    float seen = isSeen ? 1.0 : 0.0;
     sums.seen += seen * e;
     sums.all += e;
     sums.sky += s * vec2(seen, 1.0);
 }
-
-#ifdef HAS_ATLAS
-// A lobe that is narrower than the lights lie apart asks those four that are nearest to its direction [indirect2.md 3].
-float mirrorOpen(Lobe lobe, vec3 point, vec3 normal)
-{
-    vec3 d = lobe.lightsFromLocal * vec3(-lobe.view.x, -lobe.view.y, lobe.view.z);
-    ivec2 size = textureSize(nearestLightMap, 0);
-    vec4 nearest = texelFetch(nearestLightMap, min(ivec2(octahedralFromDirection(d) * vec2(size)), size - 1), 0);
-    vec2 sum = vec2(0.0);
-    float c = max(dot(normal, d), 0.0);
-    for (int k = 0; k < 4; ++k) {
-        int i = int(nearest[k] + 0.5);
-        AtlasLight light = atlasLight(i % LIGHT_GROUPS, i / LIGHT_GROUPS);
-        float w = pow(max(dot(light.direction, d), 0.0), 200.0) + 1e-12;
-        sum += w * vec2(dot(normal, light.direction) > 0.0 ? atlasSees(light, point, normal, c) : 1.0, 1.0);
-    }
-    return sum.x / sum.y;
-}
-#endif
 #endif
 
 #ifdef OCCLUSION_BENT_NORMAL
@@ -289,15 +291,24 @@ void main()
 #endif
             if (seen) sums.num += e;
 #ifdef HAS_LOBES
-            addToLobe(lobe, e, direction, seen ? 1.0 : 0.0, lobeLights);
+            if (!isNear(lobe, group, i)) addToLobe(lobe, e, direction, seen, lobe.dealt * float(LIGHT_GROUPS), lobeLights);
 #endif
         }
     }
 #endif
 #if defined(HAS_LOBES) && defined(HAS_ATLAS)
-    if (lobe.roughness < NARROW_ROUGHNESS && lobe.bsdf.brdf != BRDF_LAMBERT) {
-        float open = mirrorOpen(lobe, point, normal);
-        lobeLights = LobeLights(vec3(open), vec3(1.0), vec2(open, 1.0));
+    for (int w = 0; w < 8; ++w) {
+        uint left = lobe.near[w >> 2][w & 3];
+        while (left != 0u) {
+            int bit = bitNumber(left & (~left + 1u));
+            left &= left - 1u;
+            AtlasLight light = atlasLight(bit & 15, 2 * w + (bit >> 4));
+            float c = dot(normal, light.direction);
+            if (c <= 0.0) continue;
+            // At the rim of round bodies the maps' texels hide the surface from lights that graze it.
+            bool seen = atlasSees(light, point, normal, c) > 0.5;
+            addToLobe(lobe, c * vec4(light.flux, light.solidAngle), light.direction, seen, smoothstep(0.0, 0.1, c), lobeLights);
+        }
     }
 #endif
 #ifdef HAS_LOBES

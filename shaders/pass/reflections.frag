@@ -23,7 +23,7 @@ vec3 lobeDirection(Bsdf b, vec3 v, int group)
 {
     vec3 mirrored = vec3(-v.x, -v.y, v.z);
     if (b.roughness < NARROW_ROUGHNESS) return mirrored;
-    vec2 u = cellPoint(0, group, 1) + vec2(1.0 / 32.0);
+    vec2 u = cellPoint(0, float(group), 1) + vec2(1.0 / 32.0);
 #ifdef HAS_PHONG
     if (b.brdf == BRDF_PHONG) return frameAround(mirrored) * phongSample(phongExponent(b.roughness), u);
 #endif

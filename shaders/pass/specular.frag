@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: MIT
 // S, first part: the map's radiance in the lobe, the integral of L f_H cos [seed 000, eq. 3, first term] over the lobe's albedo.
 // Each pixel of a 4x4 cell takes samples of its own, and leaves two sums, which the filter averages over the cell [specular.md 2].
-// Narrow lobes use filtered importance sampling [Colbert, Krivanek 2008]: directions from the BRDF, each look-up as wide as the
-// sample's share of the lobe. Wide lobes sum a sixteenth of the texels of a coarse level. Radiance in units of the map's mean.
+// Filtered importance sampling [Colbert, Krivanek 2008]: directions from the BRDF, each look-up as wide as the sample's share of the
+// lobe. Radiance in units of the map's mean.
 #pragma import_defines(HAS_SUNS)
 
 #include "lib/bilateral.glsl"
 #include "lib/frame.glsl"
 #include "lib/latlong.glsl"
-#include "lib/limits.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/sequence.glsl"
 #include "pass/gbuffer.glsl"
@@ -34,16 +33,13 @@ layout(location = 1) out vec4 sunGlint;
 
 // Below this alpha one look-up at the map's own resolution is the lobe: a texel of a 1024-wide map is wider.
 const float MIRROR_ALPHA = 0.0009;
-// From samples to texels of a level that is WIDE_SIDE wide.
-const vec2 WIDE_ROUGHNESS = vec2(0.4, 0.5);
-const float WIDE_SIDE = 32.0;
 
 struct LobePixel {
     Bsdf bsdf;
     float alpha;
     vec3 view;        // local
     mat3 mapFromLocal;
-    int group;        // number in its cell
+    float group;      // number in its cell, less apart where fewer pixels share their lobes
     float companions; // pixels that the filter averages with this one
 };
 
@@ -68,10 +64,18 @@ vec2 firstAzimuth(LobePixel l)
     return unitVector(TWO_PI * (cellPoint(0, l.group, specularSamples).x + 0.5 / float(specularSamples) + sampleShift.x));
 }
 
-// The other number of sample i, in [0,1).
-float sampleHeight(LobePixel l, int i)
+// Where sample i lies between the lobe's middle and its end. More samples go to the tails than these send on, and count for less:
+// a lamp there may outshine what the middle shows.
+struct Tail {
+    float left;   // share of the lobe that lies farther out, above 0
+    float count;  // for how many samples of the lobe it counts, 1 in the mean
+};
+
+// even: share of the samples that are spread as the lobe is.
+Tail sampleTail(LobePixel l, int i, float even)
 {
-    return fract(cellPoint(i, l.group, specularSamples).y + sampleShift.y);
+    float left = max(1.0 - fract(cellPoint(i, l.group, specularSamples).y + sampleShift.y), 1e-15);
+    return Tail(left * mix(left, 1.0, even), mix(2.0 * left, 1.0, even));
 }
 
 // The level of the pyramid whose texels are as wide as one of the samples at density 1; half the density's log2 finer is right.
@@ -104,22 +108,16 @@ LobePixel lobePixel(ivec2 p)
     l.mapFromLocal = mapFromEye * eyeFromLocal;
     l.bsdf = bsdfOf(pixelBrdf(p), texelFetch(specularMap, p, 0).rgb, roughness, l.view.z);
     l.alpha = roughness * roughness;
-    l.group = bayer4(p.x, p.y);
     float narrowness = lobeNarrowness(roughness, SHARED_TURN);
     float viewTurn = pixelTurn(pixelNdc(p));
     l.companions = sampleFrames > 1.0 ? 1.0 : companionsAlong(p, ivec2(1, 0), viewTurn, narrowness) *
                                               companionsAlong(p, ivec2(0, 1), viewTurn, narrowness);
+    l.group = float(bayer4(p.x, p.y)) * min((l.companions - 1.0) / 8.0, 1.0);
     return l;
 }
 
 #ifdef HAS_COOK_TORRANCE
-// A sum of the lobe's weights over their mean, the albedo: of sums that are divided by it an even map has no noise.
-float shareOfAlbedo(LobePixel l, vec3 weights)
-{
-    return dot(weights, vec3(1.0)) / max(dot(l.bsdf.reflected, vec3(1.0)), 1e-4);
-}
-
-vec4 cookTorrance(LobePixel l, int samples)
+vec4 cookTorrance(LobePixel l)
 {
     vec3 v = l.view;
     GgxCap cap = ggxCap(v, l.alpha);
@@ -129,22 +127,25 @@ vec4 cookTorrance(LobePixel l, int samples)
     vec2 turn = unitVector(TWO_PI / float(specularSamples));
     vec3 num = vec3(0.0);
     vec3 den = vec3(0.0);
-    for (int i = 0; i < samples; ++i) {
-        vec3 h = ggxCapNormal(cap, azimuth, sampleHeight(l, i));
+    for (int i = 0; i < specularSamples; ++i) {
+        Tail tail = sampleTail(l, i, l.alpha);
+        vec3 h = ggxCapNormal(cap, azimuth, 1.0 - tail.left);
         azimuth = nextAzimuth(azimuth, turn);
         float c = dot(v, h);
         vec3 d = 2.0 * c * h - v;
-        float w = d.z > 0.0 ? ggxUnshadowed(v.z, rootV, d.z, ggxRoot(d.z, l.alpha)) : 0.0;
+        float w = d.z > 0.0 ? tail.count * ggxUnshadowed(v.z, rootV, d.z, ggxRoot(d.z, l.alpha)) : 0.0;
         vec3 weight = w * fresnelSchlick(l.bsdf.f0, c);
-        num += weight * filtered(l.mapFromLocal * d, lodOfUnitSpread + log2(ggxSpread(h, l.alpha)));
+        num += weight * filtered(l.mapFromLocal * d, lodOfUnitSpread + log2(ggxSpread(h, l.alpha)) + 0.5 * log2(tail.count));
         den += weight;
     }
-    return vec4(num * l.bsdf.energy, shareOfAlbedo(l, den * l.bsdf.energy)) / float(specularSamples);
+    // Of sums that are divided by the weights' share of their mean, the albedo, an even map has no noise.
+    float weight = dot(den * l.bsdf.energy, vec3(1.0)) / max(dot(l.bsdf.reflected, vec3(1.0)), 1e-4);
+    return vec4(num * l.bsdf.energy, weight) / float(specularSamples);
 }
 #endif
 
 #ifdef HAS_PHONG
-vec4 phong(LobePixel l, int samples)
+vec4 phong(LobePixel l)
 {
     float n = phongExponent(l.bsdf.roughness);
     mat3 lobe = frameAround(vec3(-l.view.x, -l.view.y, l.view.z));
@@ -152,61 +153,34 @@ vec4 phong(LobePixel l, int samples)
     vec2 turn = unitVector(TWO_PI / float(specularSamples));
     float unitLod = lodOfUnitDensity(l);
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < samples; ++i) {
-        float logU = log(max(1.0 - sampleHeight(l, i), 1e-30));
+    for (int i = 0; i < specularSamples; ++i) {
+        Tail tail = sampleTail(l, i, 0.0);
+        float logU = log(tail.left);
         vec3 d = lobe * phongDirection(n, azimuth, logU);
         azimuth = nextAzimuth(azimuth, turn);
-        float lod = unitLod - 0.5 * phongLogPdf(n, logU) / log(2.0);
-        sum += max(d.z, 0.0) * filtered(l.mapFromLocal * d, lod);
+        float lod = unitLod + 0.5 * (log(tail.count) - phongLogPdf(n, logU)) / log(2.0);
+        sum += tail.count * max(d.z, 0.0) * filtered(l.mapFromLocal * d, lod);
     }
     return vec4(l.bsdf.f0 * ((n + 2.0) / (n + 1.0)) * sum / float(specularSamples), 1.0);
 }
 #endif
 
 // Of radiance and weight, by samples of the lobe; their weight is 1 in the mean.
-vec4 sampled(LobePixel l, int samples)
+vec4 sampled(LobePixel l)
 {
     vec3 r = vec3(-l.view.x, -l.view.y, l.view.z);
     bool isMirror = l.alpha < MIRROR_ALPHA;
 #ifdef HAS_COOK_TORRANCE
     if (l.bsdf.brdf == BRDF_COOK_TORRANCE)
-        return isMirror ? vec4(fresnelSchlick(l.bsdf.f0, l.view.z) * mirror(l.mapFromLocal * r), 1.0) : cookTorrance(l, samples);
+        return isMirror ? vec4(fresnelSchlick(l.bsdf.f0, l.view.z) * mirror(l.mapFromLocal * r), 1.0) : cookTorrance(l);
 #endif
 #ifdef HAS_PHONG
     if (l.bsdf.brdf == BRDF_PHONG) {
         float n = phongExponent(l.bsdf.roughness);
-        return isMirror ? vec4(l.bsdf.f0 * ((n + 2.0) / (n + 1.0) * l.view.z) * mirror(l.mapFromLocal * r), 1.0) : phong(l, samples);
+        return isMirror ? vec4(l.bsdf.f0 * ((n + 2.0) / (n + 1.0) * l.view.z) * mirror(l.mapFromLocal * r), 1.0) : phong(l);
     }
 #endif
     return vec4(0.0);
-}
-
-// What the lobe sends on of light from d, times the cosine, and the weight of that.
-vec4 response(LobePixel l, vec3 d)
-{
-    vec3 f = max(d.z, 0.0) * bsdfLobe(l.bsdf, l.view, d);
-#ifdef HAS_COOK_TORRANCE
-    if (l.bsdf.brdf == BRDF_COOK_TORRANCE) return vec4(f, shareOfAlbedo(l, f));
-#endif
-    return vec4(f, 1.0 / (4.0 * PI));
-}
-
-// By every fourth texel along both axes; the cell's pixels take the others.
-vec4 summed(LobePixel l, float side, int texels)
-{
-    float level = log2(pyramidSide / side);
-    ivec2 corner = ivec2(pyramidCorner(pyramidSide, side, level)) + 1;
-    int columns = int(side) / 4;
-    ivec2 first = ivec2(l.group & 3, l.group >> 2);
-    vec4 sum = vec4(0.0);
-    for (int i = 0; i < texels; ++i) {
-        ivec2 texel = 4 * ivec2(i % columns, i / columns) + first;
-        vec2 st = (vec2(texel) + 0.5) / side;
-        vec3 d = directionFromOctahedral(st) * l.mapFromLocal;
-        vec4 r = response(l, d) * (octahedralSolidAngleDensity(st) / (side * side));
-        sum += r * vec4(texelFetch(pyramidMap, corner + texel, 0).rgb, 1.0);
-    }
-    return float(LIGHT_GROUPS) * sum;
 }
 
 #ifdef HAS_SUNS
@@ -236,10 +210,7 @@ void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
     LobePixel l = lobePixel(p);
-    float wide = smoothstep(WIDE_ROUGHNESS.x, WIDE_ROUGHNESS.y, l.bsdf.roughness);
-    float side = min(WIDE_SIDE, pyramidSide);
-    estimate = (1.0 - wide) * sampled(l, wide < 1.0 ? specularSamples : 0);
-    estimate += wide * summed(l, side, wide > 0.0 ? int(side * side) / LIGHT_GROUPS : 0);
+    estimate = sampled(l);
     // Neighbours of other colours share what lies behind them, not their colour.
     estimate.rgb /= max(l.bsdf.reflected, vec3(1e-4));
 #ifdef HAS_SUNS

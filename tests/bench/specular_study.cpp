@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 // How far S is from the truth, by roughness: metal balls beside each other on a floor, tRMSE in % of the term where nothing is in
 // the way ("open"), of what the scene leaves of it ("seen"), and that of means over 8 x 8 pixels ("blocks"), where noise averages
-// out and blotches stay; then the share of the light that the scene takes ("without").
-//   envlight_specular_study [MAP...] [NAME=VALUE...] [--pictures FOLDER]     maps of the image suite, settings of the nodekit
+// out and blotches stay; then the share of the light that the scene takes ("without"). Beside full light transport, of the whole
+// picture: with black where the scene is in the way ("black"), its mean radiance ("mean"), and what the view shows of it ("shown").
+//   envlight_specular_study [MAP...] [NAME=VALUE...] [--roughness R]... [--direct] [--pictures FOLDER]
+//     MAP          of the image suite
+//     NAME=VALUE   a setting of the nodekit
+//     --roughness  instead of eight of them
+//     --direct     no light transport
 #include <metrics/Display>
 #include <metrics/Mask>
 #include <metrics/Metrics>
@@ -32,7 +37,6 @@ namespace
 
 const int width = 192, height = 128;
 const unsigned samples = 256;
-const float roughnesses[] = {0.05f, 0.1f, 0.2f, 0.3f, 0.4f, 0.5f, 0.6f, 0.8f};
 
 osg::ref_ptr<osg::Node> metal(const osg::ref_ptr<osg::Geode>& body, float roughness)
 {
@@ -88,15 +92,42 @@ void write(const Picture& picture, double stops, const std::string& name)
     writeImageFile(*osgEnvLight::eightBit(osgEnvLight::displayEncoded(picture, stops)), name);
 }
 
+std::string pictureName(const std::string& folder, const std::string& map, float roughness, const char* what)
+{
+    char name[64];
+    std::snprintf(name, sizeof(name), "/%s-%.2f-%s.png", map.c_str(), double(roughness), what);
+    return folder + name;
+}
+
 struct Row {
     double open = 0.0, seen = 0.0, blocks = 0.0, without = 0.0;
+    double black = 0.0, mean = 0.0, shown = 0.0;
 };
 
-Row measure(const std::string& map, float roughness, const std::vector<std::string>& settings, const std::string& pictures)
+// The picture with one of the settings' reflections, direct light where nothing is reflected from surface to surface.
+Picture beauty(LitScene& lit, SceneRenderer& renderer, int bounce, int reflections)
 {
+    Settings& settings = *lit.getSettings();
+    settings.view = Settings::BEAUTY;
+    settings.visibility = osg::ref_ptr<Settings>(new Settings)->visibility;
+    settings.bounce = bounce;
+    settings.reflections = reflections;
+    return renderer.render(&lit);
+}
+
+struct Options {
+    std::vector<std::string> maps, settings;
+    std::vector<float> roughnesses;
+    std::string pictures;
+    bool direct = false;
+};
+
+Row measure(const std::string& map, float roughness, const Options& options)
+{
+    const std::string& pictures = options.pictures;
     osg::ref_ptr<LitScene> lit = makeBalls(roughness);
     if (!suite::setMap(*lit, map)) throw std::runtime_error(map + " is not installed");
-    for (const std::string& s : settings) {
+    for (const std::string& s : options.settings) {
         std::string error;
         if (!lit->getSettings()->set(s.substr(0, s.find('=')), s.substr(s.find('=') + 1), error)) throw std::runtime_error(error);
     }
@@ -123,48 +154,80 @@ Row measure(const std::string& map, float roughness, const std::vector<std::stri
     row.blocks = blockError(seen, truth.mean(Layer::SPECULAR_VISIBLE), mask);
     row.without = error(truth.mean(Layer::SPECULAR), Layer::SPECULAR_VISIBLE);
     if (!pictures.empty()) {
-        char name[64];
-        std::snprintf(name, sizeof(name), "/%s-%.2f-", map.c_str(), double(roughness));
         const Picture& right = truth.mean(Layer::SPECULAR_VISIBLE);
         const double stops = osgEnvLight::automaticExposure(right, mask);
-        write(seen, stops, pictures + name + "ours.png");
-        write(right, stops, pictures + name + "truth.png");
+        write(seen, stops, pictureName(pictures, map, roughness, "ours"));
+        write(right, stops, pictureName(pictures, map, roughness, "truth"));
+        write(open, stops, pictureName(pictures, map, roughness, "open"));
+        write(truth.mean(Layer::SPECULAR), stops, pictureName(pictures, map, roughness, "opentruth"));
     }
+    if (options.direct) return row;
+    const osgEnvLight::ReferenceResult full =
+        tracedView(*lit, renderer, samples, {Layer::BEAUTY}, false, osgEnvLight::ReferenceOptions::FULL);
+    const Picture& all = full.mean(Layer::BEAUTY);
+    const double stops = osgEnvLight::automaticExposure(all, mask);
+    if (!pictures.empty()) write(all, stops, pictureName(pictures, map, roughness, "full"));
+    const auto fullError = [&](int bounce, int reflections) {
+        const Picture picture = beauty(*lit, renderer, bounce, reflections);
+        if (!pictures.empty() && reflections == Settings::REFLECTIONS_SCREEN)
+            write(picture, stops, pictureName(pictures, map, roughness, "shown"));
+        return osgEnvLight::compare(picture, all, full.standardError(Layer::BEAUTY), mask).tRmse;
+    };
+    row.black = fullError(Settings::BOUNCE_OFF, Settings::REFLECTIONS_MAP);
+    row.mean = fullError(Settings::BOUNCE_MEAN, Settings::REFLECTIONS_MAP);
+    row.shown = fullError(Settings::BOUNCE_MEAN, Settings::REFLECTIONS_SCREEN);
     return row;
+}
+
+Options parse(const std::vector<std::string>& words)
+{
+    Options o;
+    for (size_t i = 0; i < words.size(); ++i) {
+        const std::string& word = words[i];
+        if (word == "--pictures" && i + 1 < words.size())
+            o.pictures = words[++i];
+        else if (word == "--roughness" && i + 1 < words.size())
+            o.roughnesses.push_back(std::stof(words[++i]));
+        else if (word == "--direct")
+            o.direct = true;
+        else
+            (word.find('=') == std::string::npos ? o.maps : o.settings).push_back(word);
+    }
+    if (o.maps.empty()) o.maps = {"courtyard", "city", "studio", "sunset"};
+    if (o.roughnesses.empty()) o.roughnesses = {0.05f, 0.1f, 0.2f, 0.3f, 0.4f, 0.5f, 0.6f, 0.8f};
+    return o;
+}
+
+void print(const std::string& map, const std::vector<Row>& rows, bool direct)
+{
+    const std::pair<const char*, double Row::*> lines[] = {{"open", &Row::open},       {"seen", &Row::seen},   {"blocks", &Row::blocks},
+                                                           {"without", &Row::without}, {"black", &Row::black}, {"mean", &Row::mean},
+                                                           {"shown", &Row::shown}};
+    for (const auto& [name, member] : lines) {
+        if (direct && member == &Row::black) return;
+        std::printf("%-10s %-10s", map.c_str(), name);
+        double sum = 0.0;
+        for (const Row& row : rows) {
+            std::printf(" %6.2f", 100.0 * row.*member);
+            sum += row.*member;
+        }
+        std::printf(" %6.2f\n", 100.0 * sum / double(rows.size()));
+    }
+    std::fflush(stdout);
 }
 
 }  // namespace
 
 int main(int argc, char** argv)
 try {
-    std::vector<std::string> maps, settings;
-    std::string pictures;
-    for (int i = 1; i < argc; ++i) {
-        const std::string word = argv[i];
-        if (word == "--pictures" && i + 1 < argc)
-            pictures = argv[++i];
-        else
-            (word.find('=') == std::string::npos ? maps : settings).push_back(word);
-    }
-    if (maps.empty()) maps = {"courtyard", "city", "studio", "sunset"};
+    const Options options = parse({argv + 1, argv + argc});
     std::printf("%-10s %-10s", "tRMSE, %", "roughness");
-    for (float r : roughnesses) std::printf(" %6.2f", double(r));
+    for (float r : options.roughnesses) std::printf(" %6.2f", double(r));
     std::printf("   mean\n");
-    for (const std::string& map : maps) {
+    for (const std::string& map : options.maps) {
         std::vector<Row> rows;
-        for (float r : roughnesses) rows.push_back(measure(map, r, settings, pictures));
-        const std::pair<const char*, double Row::*> lines[] = {
-            {"open", &Row::open}, {"seen", &Row::seen}, {"blocks", &Row::blocks}, {"without", &Row::without}};
-        for (const auto& [name, member] : lines) {
-            std::printf("%-10s %-10s", map.c_str(), name);
-            double sum = 0.0;
-            for (const Row& row : rows) {
-                std::printf(" %6.2f", 100.0 * row.*member);
-                sum += row.*member;
-            }
-            std::printf(" %6.2f\n", 100.0 * sum / double(rows.size()));
-        }
-        std::fflush(stdout);
+        for (float r : options.roughnesses) rows.push_back(measure(map, r, options));
+        print(map, rows, options.direct);
     }
 } catch (const std::exception& e) {
     std::cerr << "envlight_specular_study: " << e.what() << '\n';

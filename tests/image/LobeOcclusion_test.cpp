@@ -4,6 +4,7 @@
 
 #include <metrics/Mask>
 #include <metrics/Metrics>
+#include <osgEnvLight/EnvironmentMap>
 #include <osgEnvLight/Material>
 
 #include <gtest/gtest.h>
@@ -92,5 +93,45 @@ TEST(LobeOcclusion, NearTheRayTracedReflections)
         const double before = rootMeanSquare(open, truth), after = rootMeanSquare(occluded, truth);
         EXPECT_GT(before, 0.05);  // there is something to take
         EXPECT_LT(after, share * before) << "roughness " << roughness << ": " << after << " of " << before;
+    }
+}
+
+// Metal balls in a black room with hard lamps: what a lobe's tails see of a lamp outshines what its middle sees. tRMSE measured:
+// .42 .66 .87 % of what nothing hides (1.32 1.46 1.40 with samples in proportion to the lobe alone), 4.1 2.5 1.9 % of what is
+// hidden in part (3.0 at .3 where each pixel asks a sixteenth of the map's lights).
+TEST(LobeOcclusion, LampsLeaveNoSpecksOnBalls)
+{
+    const struct {
+        float roughness;
+        double open, seen;
+    } rows[] = {{0.1f, 0.008, 0.05}, {0.2f, 0.01, 0.033}, {0.3f, 0.011, 0.024}};
+    for (const auto& row : rows) {
+        osg::ref_ptr<LitScene> lit = specularScene();
+        std::string error;
+        ASSERT_TRUE(lit->getEnvironmentMap()->load("studio", nullptr, error)) << error;
+        lit->getSettings()->reflections = Settings::REFLECTIONS_MAP;
+        lit->addChild(makeQuad(osg::Vec3d(-6, -6, 0), osg::Vec3d(12, 0, 0), osg::Vec3d(0, 12, 0)));
+        for (int i = 0; i < 7; ++i) {
+            const double angle = 2.0 * osg::PI * i / 6.0, r = i == 6 ? 0.0 : 1.45;
+            lit->addChild(metal(makeSphere(osg::Vec3d(r * std::cos(angle), r * std::sin(angle), 0.6), 0.6, 96), row.roughness));
+        }
+        SceneRenderer renderer(144, 96);
+        renderer.lookAt(osg::Vec3d(0.6, -6.2, 3.2), osg::Vec3d(0, 0, 0.5), osg::Vec3d(0, 0, 1), 34.0);
+        const Picture seen = renderer.render(lit);
+        lit->getSettings()->visibility = Settings::VISIBILITY_NONE;
+        const Picture open = renderer.render(lit);
+        const osgEnvLight::ReferenceResult truth =
+            tracedView(*lit, renderer, 256, {Layer::SPECULAR, Layer::SPECULAR_VISIBLE, Layer::NORMAL, Layer::DEPTH, Layer::BEAUTY}, false);
+        Picture glossy = truth.mean(Layer::SPECULAR), surface = truth.mean(Layer::NORMAL);
+        for (size_t i = 0; i < glossy.pixels(); ++i) {
+            glossy.rgba[4 * i + 3] = glossy.rgba[4 * i] > 0.0f ? 1.0f : 0.0f;
+            surface.rgba[4 * i + 3] = truth.mean(Layer::BEAUTY).rgba[4 * i + 3];
+        }
+        const osgEnvLight::Mask mask = osgEnvLight::withoutEdges(osgEnvLight::Mask::geometry(glossy), surface, truth.mean(Layer::DEPTH));
+        const auto errorOf = [&](const Picture& picture, Layer layer) {
+            return osgEnvLight::compare(picture, truth.mean(layer), truth.standardError(layer), mask).tRmse;
+        };
+        EXPECT_LT(errorOf(open, Layer::SPECULAR), row.open) << row.roughness;
+        EXPECT_LT(errorOf(seen, Layer::SPECULAR_VISIBLE), row.seen) << row.roughness;
     }
 }

@@ -30,7 +30,7 @@ osg::Texture2D* AtlasLights::nearest(const std::string& name, const ShadowAtlas&
     e.used = true;
     if (e.atlas == &atlas && e.version == atlas.version()) return e.texture.get();
     const osg::ref_ptr<osg::Image> image = atlas.nearestImage();
-    const osg::ref_ptr<osg::Texture2D> texture = targetTexture(image->s(), image->t(), GL_RGBA32F_ARB);
+    const osg::ref_ptr<osg::Texture2D> texture = targetTexture(image->s(), image->t(), GL_RGBA32UI_EXT);
     texture->setImage(image);
     e = {texture, &atlas, nullptr, atlas.version(), 0, 1.0, true};
     return e.texture.get();
