@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where does a ray meet a surface that the view shows? Points along the ray, denser near its origin, are compared with the depth
-// buffer. Bisection refines the first one that lies behind it [indirect2.md 3].
+// buffer. Bisection refines where they pass behind it [indirect2.md 3].
 #ifndef MARCH_GLSL
 #define MARCH_GLSL
 
@@ -13,7 +13,7 @@ struct ScreenRay {
     vec3 origin;      // eye space
     vec3 direction;   // eye space, unit
     float most;       // length, eye units
-    float thickness;  // assumed depth of what the view shows, eye units
+    float thickness;  // how far from a surface's plane the ray may come out behind it, eye units
 };
 
 struct ScreenHit {
@@ -60,8 +60,33 @@ float screenRayBehind(sampler2D depthMap, ScreenRay ray, float t)
     return eyeFromDepth(ray.inverseProjection, ndc, depth).z - p.z;
 }
 
-// phase in (0,1] shifts the points.
-ScreenHit screenRayHit(sampler2D depthMap, ScreenRay ray, int steps, float phase)
+// Narrows down the lengths between which the ray passes behind a surface of the view.
+vec2 screenRayCrossing(sampler2D depthMap, ScreenRay ray, vec2 between)
+{
+    for (int j = 0; j < 5; ++j) {
+        float middle = 0.5 * (between.x + between.y);
+        if (screenRayBehind(depthMap, ray, middle) > 0.0)
+            between.y = middle;
+        else
+            between.x = middle;
+    }
+    return between;
+}
+
+// Whether the ray meets the plane of the surface in the pixel of its point at t, from before. along: length by which t is uncertain.
+bool screenRayMeets(sampler2D depthMap, sampler2D normalMap, ScreenRay ray, float t, float along)
+{
+    vec3 p = ray.origin + t * ray.direction;
+    ivec2 pixel = screenRayPixel(ray, screenRayNdc(ray, p));
+    vec3 n = normalize(vec3(texelFetch(normalMap, pixel, 0)) * 2.0 - 1.0);
+    if (dot(n, ray.direction) >= 0.0) return false;
+    vec2 ndc = (vec2(pixel) + 0.5) / ray.size * 2.0 - 1.0;
+    vec3 surface = eyeFromDepth(ray.inverseProjection, ndc, texelFetch(depthMap, pixel, 0).x);
+    return abs(dot(n, p - surface)) < ray.thickness + along;
+}
+
+// phase in (0,1] shifts the points. Where a surface ends, rays pass behind it: that is no hit, and the search goes on.
+ScreenHit screenRayHit(sampler2D depthMap, sampler2D normalMap, ScreenRay ray, int steps, float phase)
 {
     ScreenHit hit;
     hit.found = false;
@@ -69,27 +94,21 @@ ScreenHit screenRayHit(sampler2D depthMap, ScreenRay ray, int steps, float phase
     hit.border = 0.0;
     float end = screenRayEnd(ray);
     float before = 0.0;
-    float after = 0.0;
-    bool crossed = false;
-    for (int j = 0; j < steps && !crossed; ++j) {
+    bool wasBehind = false;
+    for (int j = 0; j < steps && !hit.found; ++j) {
         float s = (float(j) + phase) / float(steps);
+        float after = end * s * s;
+        bool isBehind = screenRayBehind(depthMap, ray, after) > 0.0;
+        if (isBehind && !wasBehind) {
+            vec2 crossing = screenRayCrossing(depthMap, ray, vec2(before, after));
+            hit.found = screenRayMeets(depthMap, normalMap, ray, crossing.y, crossing.y - crossing.x);
+            vec2 ndc = screenRayNdc(ray, ray.origin + crossing.y * ray.direction);
+            hit.pixel = screenRayPixel(ray, ndc);
+            hit.border = min(1.0 - abs(ndc.x), 1.0 - abs(ndc.y));
+        }
+        wasBehind = isBehind;
         before = after;
-        after = end * s * s;
-        crossed = screenRayBehind(depthMap, ray, after) > 0.0;
     }
-    if (!crossed) return hit;
-    for (int j = 0; j < 5; ++j) {
-        float middle = 0.5 * (before + after);
-        if (screenRayBehind(depthMap, ray, middle) > 0.0)
-            after = middle;
-        else
-            before = middle;
-    }
-    float behind = screenRayBehind(depthMap, ray, after);
-    hit.found = behind > 0.0 && behind < ray.thickness + (after - before);
-    vec2 ndc = screenRayNdc(ray, ray.origin + after * ray.direction);
-    hit.pixel = screenRayPixel(ray, ndc);
-    hit.border = min(1.0 - abs(ndc.x), 1.0 - abs(ndc.y));
     return hit;
 }
 

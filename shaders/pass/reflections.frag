@@ -16,7 +16,8 @@ uniform int reflectionSteps;
 
 layout(location = 0) out vec4 reflection;  // radiance of what is met, times whether it is; whether
 
-const float THICKNESS = 0.05;  // of what the view shows, in scene radii
+// Rays meet the planes that the picture shows, to half a pixel: what lies behind these it does not show.
+const float THICKNESS = 0.5;
 
 // A direction of the lobe in its local frame; below the horizon it meets nothing.
 vec3 lobeDirection(Bsdf b, vec3 v, int group)
@@ -50,13 +51,13 @@ void main()
     float footprint = pixelFootprint(inverseProjection, ndc, depth, viewportSize);
     ray.origin = eyeFromDepth(inverseProjection, ndc, depth) + (footprint + length(depthStep(inverseProjection, ndc, depth))) * n;
     ray.most = 2.0 * sceneRadius;
-    ray.thickness = THICKNESS * sceneRadius;
+    ray.thickness = THICKNESS * footprint;
     reflection = vec4(0.0);
     if (d.z <= 0.0) return;
     // Points between those of its neighbours, where these are averaged; else as they, so that edges are lines.
     float phase = b.roughness < NARROW_ROUGHNESS ? 1.0 : (float(group) + 1.0) / 16.0;
-    ScreenHit hit = screenRayHit(depthMap, ray, reflectionSteps, phase);
-    if (!hit.found || dot(pixelNormal(hit.pixel), ray.direction) >= 0.0) return;
+    ScreenHit hit = screenRayHit(depthMap, normalMap, ray, reflectionSteps, phase);
+    if (!hit.found) return;
     float share = smoothstep(0.0, 0.1, hit.border);  // fades where the picture ends
     reflection = share * vec4(texelFetch(radianceMap, hit.pixel, 0).rgb, 1.0);
 }

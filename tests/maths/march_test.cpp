@@ -31,6 +31,11 @@ glsl::ScreenRay rayFrom(const PlaneView& view, const vec3& origin, const vec3& d
     return ray;
 }
 
+glsl::ScreenHit meets(const PlaneView& view, const glsl::ScreenRay& ray, int steps, double phase)
+{
+    return glsl::screenRayHit(view.depthMap(), view.normalMap(), ray, steps, phase);
+}
+
 const mat4 perspective = frustum(-0.4, 0.4, -0.3, 0.3, 1.0, 100.0);
 const mat4 parallel = orthographic(-4.0, 4.0, -3.0, 3.0, 1.0, 100.0);
 
@@ -55,8 +60,7 @@ TEST(march, FindsTheWallThatAMirrorShows)
                 const vec2 ndc = vec2(clip) / clip.w;
                 if (std::max(std::abs(ndc.x), std::abs(ndc.y)) > 0.98) continue;
                 ++asked;
-                const auto found = glsl::screenRayHit(
-                    view.depthMap(), rayFrom(view, p + view.footprint(x, y) * floorNormal, d, 40.0, 0.5), 16, 1.0);
+                const auto found = meets(view, rayFrom(view, p + view.footprint(x, y) * floorNormal, d, 40.0, 0.5), 16, 1.0);
                 const vec2 pixel = (0.5 * ndc + 0.5) * view.size;
                 right += found.found && glsl::length(vec2(found.pixel) + 0.5 - pixel) < 3.0;
             }
@@ -80,8 +84,7 @@ TEST(march, APlaneMeetsNothing)
                 l = glsl::normalize(vec3(l.x, l.y, std::max(l.z, 0.1)));
                 if (!view.hasSurface(x, y)) continue;
                 const vec3 origin = view.eye(x, y) + view.footprint(x, y) * n;
-                EXPECT_FALSE(
-                    glsl::screenRayHit(view.depthMap(), rayFrom(view, origin, frame * l, 20.0, 0.5), 16, random.uniform()).found)
+                EXPECT_FALSE(meets(view, rayFrom(view, origin, frame * l, 20.0, 0.5), 16, random.uniform()).found)
                     << degrees << " at " << x << ", " << y;
             }
         }
@@ -105,16 +108,29 @@ TEST(march, EndsWhereTheViewEnds)
         if (end < 30.0) {
             EXPECT_NEAR(outside(end), 0.0, 1e-9);
         }
-        EXPECT_FALSE(glsl::screenRayHit(view.depthMap(), ray, 16, 0.5).found);  // nothing is there
+        EXPECT_FALSE(meets(view, ray, 16, 0.5).found);  // nothing is there
     }
 }
 
-// What lies farther behind than the picture's surfaces are taken to be thick passes them.
+// What comes out behind a surface where that ends does not meet it, however thick it may be.
 TEST(march, PassesBehindWhatIsThin)
 {
     const PlaneView view(perspective, width, height,
                          {{vec3(0, 0, -5), vec3(0, 0, 1), [](const vec3& p) { return std::abs(p.x) < 0.3; }}});
     const vec3 origin(-3, 0, -10);
-    EXPECT_FALSE(glsl::screenRayHit(view.depthMap(), rayFrom(view, origin, vec3(1, 0, 0), 6.0, 0.5), 64, 1.0).found);
-    EXPECT_TRUE(glsl::screenRayHit(view.depthMap(), rayFrom(view, origin, vec3(1, 0, 0), 6.0, 8.0), 64, 1.0).found);
+    for (const double away : {0.0, 0.2, -0.2})
+        EXPECT_FALSE(meets(view, rayFrom(view, origin, vec3(1, 0, away), 6.0, 0.5), 64, 1.0).found) << away;
+}
+
+// A card in front of the ray, and a slanting wall at its end.
+TEST(march, MeetsAWallBeyondWhatItPassesBehind)
+{
+    const vec3 end(2, 0, -10);
+    const vec3 slant = glsl::normalize(vec3(-1, 0, 0.5));
+    const PlaneView view(perspective, width, height,
+                         {{vec3(0, 0, -5), vec3(0, 0, 1), [](const vec3& p) { return std::abs(p.x) < 0.3; }}, {end, slant}});
+    const auto hit = meets(view, rayFrom(view, vec3(-3, 0, -10), vec3(1, 0, 0), 12.0, 0.02), 64, 1.0);
+    ASSERT_TRUE(hit.found);
+    const vec4 clip = perspective * vec4(end, 1.0);
+    EXPECT_NEAR(hit.pixel.x + 0.5, (0.5 * clip.x / clip.w + 0.5) * width, 1.0);
 }
