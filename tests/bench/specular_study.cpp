@@ -2,7 +2,8 @@
 // How far S is from the truth, by roughness: metal balls beside each other on a floor, tRMSE in % of the term where nothing is in
 // the way ("open"), of what the scene leaves of it ("seen"), and that of means over 8 x 8 pixels ("blocks"), where noise averages
 // out and blotches stay; then the share of the light that the scene takes ("without"). Beside full light transport, of the whole
-// picture: with black where the scene is in the way ("black"), its mean radiance ("mean"), and what the view shows of it ("shown").
+// picture: with black where the scene is in the way ("black"), its mean radiance ("mean"), and what the view shows of it
+// ("shown").
 //   envlight_specular_study [MAP...] [NAME=VALUE...] [--roughness R]... [--direct] [--pictures FOLDER]
 //     MAP          of the image suite
 //     NAME=VALUE   a setting of the nodekit
@@ -200,9 +201,9 @@ Options parse(const std::vector<std::string>& words)
 
 void print(const std::string& map, const std::vector<Row>& rows, bool direct)
 {
-    const std::pair<const char*, double Row::*> lines[] = {{"open", &Row::open},       {"seen", &Row::seen},   {"blocks", &Row::blocks},
-                                                           {"without", &Row::without}, {"black", &Row::black}, {"mean", &Row::mean},
-                                                           {"shown", &Row::shown}};
+    const std::pair<const char*, double Row::*> lines[] = {
+        {"open", &Row::open},   {"seen", &Row::seen}, {"blocks", &Row::blocks}, {"without", &Row::without},
+        {"black", &Row::black}, {"mean", &Row::mean}, {"shown", &Row::shown}};
     for (const auto& [name, member] : lines) {
         if (direct && member == &Row::black) return;
         std::printf("%-10s %-10s", map.c_str(), name);

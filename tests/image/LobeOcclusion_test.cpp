@@ -120,14 +120,15 @@ TEST(LobeOcclusion, LampsLeaveNoSpecksOnBalls)
         const Picture seen = renderer.render(lit);
         lit->getSettings()->visibility = Settings::VISIBILITY_NONE;
         const Picture open = renderer.render(lit);
-        const osgEnvLight::ReferenceResult truth =
-            tracedView(*lit, renderer, 256, {Layer::SPECULAR, Layer::SPECULAR_VISIBLE, Layer::NORMAL, Layer::DEPTH, Layer::BEAUTY}, false);
+        const osgEnvLight::ReferenceResult truth = tracedView(
+            *lit, renderer, 256, {Layer::SPECULAR, Layer::SPECULAR_VISIBLE, Layer::NORMAL, Layer::DEPTH, Layer::BEAUTY}, false);
         Picture glossy = truth.mean(Layer::SPECULAR), surface = truth.mean(Layer::NORMAL);
         for (size_t i = 0; i < glossy.pixels(); ++i) {
             glossy.rgba[4 * i + 3] = glossy.rgba[4 * i] > 0.0f ? 1.0f : 0.0f;
             surface.rgba[4 * i + 3] = truth.mean(Layer::BEAUTY).rgba[4 * i + 3];
         }
-        const osgEnvLight::Mask mask = osgEnvLight::withoutEdges(osgEnvLight::Mask::geometry(glossy), surface, truth.mean(Layer::DEPTH));
+        const osgEnvLight::Mask mask =
+            osgEnvLight::withoutEdges(osgEnvLight::Mask::geometry(glossy), surface, truth.mean(Layer::DEPTH));
         const auto errorOf = [&](const Picture& picture, Layer layer) {
             return osgEnvLight::compare(picture, truth.mean(layer), truth.standardError(layer), mask).tRmse;
         };
