@@ -3,7 +3,7 @@
 #ifndef LOBEWIDTH_GLSL
 #define LOBEWIDTH_GLSL
 
-const float NARROW_ROUGHNESS = 0.25;     // below: one ray, in the mirror direction
+const float NARROW_ROUGHNESS = 0.12;     // below: one ray, in the mirror direction
 const vec2 DEALT_ROUGHNESS = vec2(0.2, 0.3);  // from here on all of the map's lights are asked, by a cell of pixels
 const float FAR_ROUGHNESS = 0.5;         // below: those near the lobe by each pixel
 const float TRACED_ROUGHNESS = 0.5;      // below: the picture is searched for what it shows
