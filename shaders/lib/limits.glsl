@@ -4,6 +4,7 @@
 #define LIMITS_GLSL
 
 const int LIGHT_GROUPS = 16;      // that the pixels of a 4x4 cell take in turn
+const int NEAREST_LIGHTS = 16;    // to a direction that are known of a sky shadow atlas
 const int MOST_SUNS = 8;          // cut from a map
 const int MOST_SUN_LEVELS = 4;    // shadow maps of a sun
 const int MOST_SCENE_LIGHTS = 8;  // of OpenGL's fixed function

@@ -7,11 +7,12 @@
 #include "lib/depth.glsl"
 
 struct ScreenRay {
-    mat4 projection;
     mat4 inverseProjection;
     vec2 size;        // viewport, pixels
     vec3 origin;      // eye space
     vec3 direction;   // eye space, unit
+    vec4 clipOrigin;  // the same in clip space
+    vec4 clipDirection;
     float most;       // length, eye units
     float thickness;  // how far from a surface's plane the ray may come out behind it, eye units
 };
@@ -22,11 +23,25 @@ struct ScreenHit {
     float border;  // distance from the border of the view, in halves of it: 0 there, 1 in the middle
 };
 
+ScreenRay screenRay(mat4 projection, mat4 inverseProjection, vec2 size, vec3 origin, vec3 direction)
+{
+    ScreenRay ray;
+    ray.inverseProjection = inverseProjection;
+    ray.size = size;
+    ray.origin = origin;
+    ray.direction = direction;
+    ray.clipOrigin = projection * vec4(origin, 1.0);
+    ray.clipDirection = projection * vec4(direction, 0.0);
+    ray.most = 0.0;
+    ray.thickness = 0.0;
+    return ray;
+}
+
 // The length at which the ray leaves the view, or at which it has its whole length.
 float screenRayEnd(ScreenRay ray)
 {
-    vec4 from = ray.projection * vec4(ray.origin, 1.0);
-    vec4 along = ray.projection * vec4(ray.direction, 0.0);
+    vec4 from = ray.clipOrigin;
+    vec4 along = ray.clipDirection;
     float end = ray.most;
     for (int k = 0; k < 5; ++k) {
         // w + x, w - x, w + y, w - y, w + z: all above 0 in the view
@@ -38,10 +53,9 @@ float screenRayEnd(ScreenRay ray)
     return end;
 }
 
-vec2 screenRayNdc(ScreenRay ray, vec3 p)
+vec2 screenRayNdc(vec4 clip)
 {
-    vec4 c = ray.projection * vec4(p, 1.0);
-    return vec2(c) / c.w;
+    return vec2(clip) / clip.w;
 }
 
 ivec2 screenRayPixel(ScreenRay ray, vec2 ndc)
@@ -49,35 +63,19 @@ ivec2 screenRayPixel(ScreenRay ray, vec2 ndc)
     return ivec2(clamp(0.5 * ndc + 0.5, vec2(0.0), vec2(0.999999)) * ray.size);
 }
 
-// Distance along the view from the surface in the pixel of the ray's point at t to that point; negative if the point is in front of it,
-// or if the pixel shows nothing.
-float screenRayBehind(sampler2D depthMap, ScreenRay ray, float t)
+// Whether the ray's point at t is behind the surface in its pixel. Clip space tells: it changes evenly along the ray.
+bool screenRayBehind(sampler2D depthMap, ScreenRay ray, float t)
 {
-    vec3 p = ray.origin + t * ray.direction;
-    vec2 ndc = screenRayNdc(ray, p);
-    float depth = texelFetch(depthMap, screenRayPixel(ray, ndc), 0).x;
-    if (depth >= 1.0) return -1.0;
-    return eyeFromDepth(ray.inverseProjection, ndc, depth).z - p.z;
-}
-
-// Narrows down the lengths between which the ray passes behind a surface of the view.
-vec2 screenRayCrossing(sampler2D depthMap, ScreenRay ray, vec2 between)
-{
-    for (int j = 0; j < 5; ++j) {
-        float middle = 0.5 * (between.x + between.y);
-        if (screenRayBehind(depthMap, ray, middle) > 0.0)
-            between.y = middle;
-        else
-            between.x = middle;
-    }
-    return between;
+    vec4 clip = ray.clipOrigin + t * ray.clipDirection;
+    float depth = texelFetch(depthMap, screenRayPixel(ray, screenRayNdc(clip)), 0).x;
+    return depth < 1.0 && clip.z > (2.0 * depth - 1.0) * clip.w;
 }
 
 // Whether the ray meets the plane of the surface in the pixel of its point at t, from before. along: length by which t is uncertain.
 bool screenRayMeets(sampler2D depthMap, sampler2D normalMap, ScreenRay ray, float t, float along)
 {
     vec3 p = ray.origin + t * ray.direction;
-    ivec2 pixel = screenRayPixel(ray, screenRayNdc(ray, p));
+    ivec2 pixel = screenRayPixel(ray, screenRayNdc(ray.clipOrigin + t * ray.clipDirection));
     vec3 n = normalize(vec3(texelFetch(normalMap, pixel, 0)) * 2.0 - 1.0);
     if (dot(n, ray.direction) >= 0.0) return false;
     vec2 ndc = (vec2(pixel) + 0.5) / ray.size * 2.0 - 1.0;
@@ -85,30 +83,45 @@ bool screenRayMeets(sampler2D depthMap, sampler2D normalMap, ScreenRay ray, floa
     return abs(dot(n, p - surface)) < ray.thickness + along;
 }
 
-// phase in (0,1] shifts the points. Where a surface ends, rays pass behind it: that is no hit, and the search goes on.
+// phase in (0,1] shifts the points. Where a surface ends, rays pass behind it: that is no hit, and the search goes on. One loop for
+// points and bisections: rays that run side by side wait for each other at the end of each turn.
 ScreenHit screenRayHit(sampler2D depthMap, sampler2D normalMap, ScreenRay ray, int steps, float phase)
 {
-    ScreenHit hit;
-    hit.found = false;
-    hit.pixel = ivec2(0);
-    hit.border = 0.0;
+    const int halvings = 5;
     float end = screenRayEnd(ray);
-    float before = 0.0;
+    float before = 0.0;  // the point before
+    float after = 0.0;   // the first behind a surface
     bool wasBehind = false;
-    for (int j = 0; j < steps && !hit.found; ++j) {
+    bool found = false;
+    int j = 0;
+    int left = 0;  // halvings
+    while (!found && (left > 0 || j < steps)) {
+        bool halves = left > 0;
         float s = (float(j) + phase) / float(steps);
-        float after = end * s * s;
-        bool isBehind = screenRayBehind(depthMap, ray, after) > 0.0;
-        if (isBehind && !wasBehind) {
-            vec2 crossing = screenRayCrossing(depthMap, ray, vec2(before, after));
-            hit.found = screenRayMeets(depthMap, normalMap, ray, crossing.y, crossing.y - crossing.x);
-            vec2 ndc = screenRayNdc(ray, ray.origin + crossing.y * ray.direction);
-            hit.pixel = screenRayPixel(ray, ndc);
-            hit.border = min(1.0 - abs(ndc.x), 1.0 - abs(ndc.y));
+        float t = halves ? 0.5 * (before + after) : end * s * s;
+        bool isBehind = screenRayBehind(depthMap, ray, t);
+        if (isBehind && (halves || !wasBehind)) after = t;
+        if (halves) {
+            if (!isBehind) before = t;
+            --left;
+            if (left == 0) {
+                found = screenRayMeets(depthMap, normalMap, ray, after, after - before);
+                before = after;
+            }
+        } else {
+            if (isBehind && !wasBehind)
+                left = halvings;
+            else
+                before = t;
+            wasBehind = isBehind;
+            ++j;
         }
-        wasBehind = isBehind;
-        before = after;
     }
+    vec2 ndc = screenRayNdc(ray.clipOrigin + after * ray.clipDirection);
+    ScreenHit hit;
+    hit.found = found;
+    hit.pixel = screenRayPixel(ray, ndc);
+    hit.border = min(1.0 - abs(ndc.x), 1.0 - abs(ndc.y));
     return hit;
 }
 

@@ -154,10 +154,19 @@ struct Lobe {
     Bsdf bsdf;
     float peak;     // of its values, about
     float dealt;    // share of the lights that are not near it: too few fall into a narrow lobe's tails
-    uvec4 near[2];  // which lights are near its direction, as in nearestLightMap: each pixel asks all of them
+    int near;       // how many lights near its direction each pixel asks
+    uvec4 nearest;  // these, as in nearestLightMap
+    uint nearOwn;   // bit i: light i of the pixel's own group is one of them
 };
 
-Lobe lobeAt(ivec2 p, vec3 normal)
+// Number k of them. Without an index into a vector: software renderers keep in memory what is indexed.
+int nearLight(Lobe lobe, int k)
+{
+    uvec2 two = k < 8 ? lobe.nearest.xy : lobe.nearest.zw;
+    return int(((k & 4) == 0 ? two.x : two.y) >> uint(8 * (k & 3)) & 255u);
+}
+
+Lobe lobeAt(ivec2 p, vec3 normal, int group)
 {
     Lobe lobe;
     mat3 eyeFromLocal = frameAround(normal);
@@ -169,21 +178,22 @@ Lobe lobeAt(ivec2 p, vec3 normal)
     lobe.bsdf = makeBsdf(pixelBrdf(p), texelFetch(specularMap, p, 0).rgb, roughness, vec2(1.0, 0.0));
     lobe.peak = 1.0 / (roughness * roughness * roughness * roughness);
     lobe.dealt = smoothstep(DEALT_ROUGHNESS.x, DEALT_ROUGHNESS.y, roughness);
-    lobe.near[0] = uvec4(0u);
-    lobe.near[1] = uvec4(0u);
+    lobe.near = 0;
+    lobe.nearest = uvec4(0u);
+    lobe.nearOwn = 0u;
 #ifdef HAS_ATLAS
     if (roughness >= FAR_ROUGHNESS || lobe.bsdf.brdf == BRDF_LAMBERT) return lobe;
     int side = textureSize(nearestLightMap, 0).y;
     vec3 d = lobe.lightsFromLocal * vec3(-lobe.view.x, -lobe.view.y, lobe.view.z);
     ivec2 cell = min(ivec2(octahedralFromDirection(d) * float(side)), side - 1);
-    for (int k = 0; k < 2; ++k) lobe.near[k] = texelFetch(nearestLightMap, ivec2(2 * cell.x + k, cell.y), 0);
+    lobe.near = NEAREST_LIGHTS;
+    lobe.nearest = texelFetch(nearestLightMap, cell, 0);
+    for (int k = 0; k < NEAREST_LIGHTS; ++k) {
+        int light = nearLight(lobe, k);
+        if (light % LIGHT_GROUPS == group) lobe.nearOwn |= 1u << uint(light / LIGHT_GROUPS);
+    }
 #endif
     return lobe;
-}
-
-bool isNear(Lobe lobe, int group, int i)
-{
-    return (lobe.near[i >> 3][(i >> 1) & 3] & (1u << (group + 16 * (i & 1)))) != 0u;
 }
 
 // flux: of the light, times the cosine; direction: unit; count: of lights that it stands for.
@@ -245,7 +255,7 @@ void main()
     RayMarch march = pixelRays(receiver);
 #endif
 #ifdef HAS_LOBES
-    Lobe lobe = lobeAt(p, receiver.normal);
+    Lobe lobe = lobeAt(p, receiver.normal, group);
     LobeLights lobeLights = LobeLights(vec3(0.0), vec3(0.0), vec2(0.0));
 #endif
 #ifdef HAS_ATLAS
@@ -291,24 +301,20 @@ void main()
 #endif
             if (seen) sums.num += e;
 #ifdef HAS_LOBES
-            if (!isNear(lobe, group, i)) addToLobe(lobe, e, direction, seen, lobe.dealt * float(LIGHT_GROUPS), lobeLights);
+            if ((lobe.nearOwn >> uint(i) & 1u) == 0u) addToLobe(lobe, e, direction, seen, lobe.dealt * float(LIGHT_GROUPS), lobeLights);
 #endif
         }
     }
 #endif
 #if defined(HAS_LOBES) && defined(HAS_ATLAS)
-    for (int w = 0; w < 8; ++w) {
-        uint left = lobe.near[w >> 2][w & 3];
-        while (left != 0u) {
-            int bit = bitNumber(left & (~left + 1u));
-            left &= left - 1u;
-            AtlasLight light = atlasLight(bit & 15, 2 * w + (bit >> 4));
-            float c = dot(normal, light.direction);
-            if (c <= 0.0) continue;
-            // At the rim of round bodies the maps' texels hide the surface from lights that graze it.
-            bool seen = atlasSees(light, point, normal, c) > 0.5;
-            addToLobe(lobe, c * vec4(light.flux, light.solidAngle), light.direction, seen, smoothstep(0.0, 0.1, c), lobeLights);
-        }
+    for (int k = 0; k < lobe.near; ++k) {
+        int number = nearLight(lobe, k);
+        AtlasLight light = atlasLight(number % LIGHT_GROUPS, number / LIGHT_GROUPS);
+        float c = dot(normal, light.direction);
+        if (c <= 0.0) continue;
+        // At the rim of round bodies the maps' texels hide the surface from lights that graze it.
+        bool seen = atlasSees(light, point, normal, c) > 0.5;
+        addToLobe(lobe, c * vec4(light.flux, light.solidAngle), light.direction, seen, smoothstep(0.0, 0.1, c), lobeLights);
     }
 #endif
 #ifdef HAS_LOBES

@@ -43,13 +43,9 @@ void main()
     vec3 d = lobeDirection(b, v, group);
     vec2 ndc = pixelNdc(p);
     float depth = texelFetch(depthMap, p, 0).r;
-    ScreenRay ray;
-    ray.projection = projection;
-    ray.inverseProjection = inverseProjection;
-    ray.size = viewportSize;
-    ray.direction = eyeFromLocal * d;
     float footprint = pixelFootprint(inverseProjection, ndc, depth, viewportSize);
-    ray.origin = eyeFromDepth(inverseProjection, ndc, depth) + (footprint + length(depthStep(inverseProjection, ndc, depth))) * n;
+    vec3 origin = eyeFromDepth(inverseProjection, ndc, depth) + (footprint + length(depthStep(inverseProjection, ndc, depth))) * n;
+    ScreenRay ray = screenRay(projection, inverseProjection, viewportSize, origin, eyeFromLocal * d);
     ray.most = 2.0 * sceneRadius;
     ray.thickness = THICKNESS * footprint;
     reflection = vec4(0.0);

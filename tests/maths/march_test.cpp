@@ -20,12 +20,7 @@ const int height = 144;
 
 glsl::ScreenRay rayFrom(const PlaneView& view, const vec3& origin, const vec3& direction, double most, double thickness)
 {
-    glsl::ScreenRay ray;
-    ray.projection = view.projection;
-    ray.inverseProjection = view.inverse;
-    ray.size = view.size;
-    ray.origin = origin;
-    ray.direction = glsl::normalize(direction);
+    glsl::ScreenRay ray = glsl::screenRay(view.projection, view.inverse, view.size, origin, glsl::normalize(direction));
     ray.most = most;
     ray.thickness = thickness;
     return ray;

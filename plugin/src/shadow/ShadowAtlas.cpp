@@ -229,13 +229,11 @@ osg::ref_ptr<osg::Image> ShadowAtlas::lightImage(double scale, const ShadowAtlas
 osg::ref_ptr<osg::Image> ShadowAtlas::nearestImage() const
 {
     const int side = 32;  // 6 degrees: half of what 256 lights lie apart
-    const int nearest = 16;
     std::vector<osg::Vec3f> directions(lights);
     for (unsigned i = 0; i < lights; ++i) directions[i] = osg::Vec3f(_maps[i].drawn ? _maps[i].along : _list[i].direction);
     osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->allocateImage(2 * side, side, 1, GL_RGBA_INTEGER_EXT, GL_UNSIGNED_INT);
+    image->allocateImage(side, side, 1, GL_RGBA_INTEGER_EXT, GL_UNSIGNED_INT);
     image->setInternalTextureFormat(GL_RGBA32UI_EXT);
-    std::fill_n(image->data(), image->getTotalSizeInBytes(), static_cast<unsigned char>(0));
     std::vector<float> cosine(lights);
     std::vector<unsigned> order(lights);
     for (int y = 0; y < side; ++y)
@@ -244,10 +242,11 @@ osg::ref_ptr<osg::Image> ShadowAtlas::nearestImage() const
             const osg::Vec3f direction(float(d.x), float(d.y), float(d.z));
             for (unsigned i = 0; i < lights; ++i) cosine[i] = directions[i] * direction;
             std::iota(order.begin(), order.end(), 0u);
-            std::nth_element(order.begin(), order.begin() + nearest, order.end(),
+            std::nth_element(order.begin(), order.begin() + limits::NEAREST_LIGHTS, order.end(),
                              [&](unsigned a, unsigned b) { return cosine[a] > cosine[b]; });
-            uint32_t* bits = reinterpret_cast<uint32_t*>(image->data(unsigned(2 * x), unsigned(y)));
-            for (int k = 0; k < nearest; ++k) bits[order[size_t(k)] / 32] |= 1u << (order[size_t(k)] % 32);
+            uint32_t* numbers = reinterpret_cast<uint32_t*>(image->data(unsigned(x), unsigned(y)));
+            std::fill_n(numbers, 4, 0u);
+            for (int k = 0; k < limits::NEAREST_LIGHTS; ++k) numbers[k / 4] |= order[size_t(k)] << (8 * (k % 4));
         }
     return image;
 }

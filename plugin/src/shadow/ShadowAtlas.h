@@ -72,8 +72,8 @@ class OSGENVLIGHT_EXPORT ShadowAtlas : public osg::Referenced
      * @param finer  atlas of the same lights with a focus, of which as many rows follow; null: none */
     osg::ref_ptr<osg::Image> lightImage(double scale, const ShadowAtlas* finer) const;
 
-    /** By direction in the world, an octahedral map: which lights are the 16 nearest to it; RGBA of 32-bit integers, two texels
-     * side by side. Bit 16 (i & 1) + q of number i / 2 is set if light i of group q is one of them. */
+    /** By direction in the world, an octahedral map: the numbers of the lights nearest to it, 16 i + q of light i of group q, in
+     * the bytes of RGBA of 32-bit integers.*/
     osg::ref_ptr<osg::Image> nearestImage() const;
 
     osg::Texture2D* texture() { return _targets.texture.get(); }
