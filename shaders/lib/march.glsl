@@ -14,7 +14,7 @@ struct ScreenRay {
     vec4 clipOrigin;  // the same in clip space
     vec4 clipDirection;
     float most;       // length, eye units
-    float thickness;  // how far from a surface's plane the ray may come out behind it, eye units
+    float tolerance;  // distance from the plane of a surface at which the ray still hits it, eye units
 };
 
 struct ScreenHit {
@@ -23,7 +23,7 @@ struct ScreenHit {
     float border;  // distance from the border of the view, in halves of it: 0 there, 1 in the middle
 };
 
-ScreenRay screenRay(mat4 projection, mat4 inverseProjection, vec2 size, vec3 origin, vec3 direction)
+ScreenRay screenRay(mat4 projection, mat4 inverseProjection, vec2 size, vec3 origin, vec3 direction, float most, float tolerance)
 {
     ScreenRay ray;
     ray.inverseProjection = inverseProjection;
@@ -32,8 +32,8 @@ ScreenRay screenRay(mat4 projection, mat4 inverseProjection, vec2 size, vec3 ori
     ray.direction = direction;
     ray.clipOrigin = projection * vec4(origin, 1.0);
     ray.clipDirection = projection * vec4(direction, 0.0);
-    ray.most = 0.0;
-    ray.thickness = 0.0;
+    ray.most = most;
+    ray.tolerance = tolerance;
     return ray;
 }
 
@@ -71,8 +71,8 @@ bool screenRayBehind(sampler2D depthMap, ScreenRay ray, float t)
     return depth < 1.0 && clip.z > (2.0 * depth - 1.0) * clip.w;
 }
 
-// Whether the ray meets the plane of the surface in the pixel of its point at t, from before. along: length by which t is uncertain.
-bool screenRayMeets(sampler2D depthMap, sampler2D normalMap, ScreenRay ray, float t, float along)
+// Whether the ray's point at t lies on the plane of the surface in its pixel, and that surface faces the ray. error: of t.
+bool screenRayMeets(sampler2D depthMap, sampler2D normalMap, ScreenRay ray, float t, float error)
 {
     vec3 p = ray.origin + t * ray.direction;
     ivec2 pixel = screenRayPixel(ray, screenRayNdc(ray.clipOrigin + t * ray.clipDirection));
@@ -80,11 +80,11 @@ bool screenRayMeets(sampler2D depthMap, sampler2D normalMap, ScreenRay ray, floa
     if (dot(n, ray.direction) >= 0.0) return false;
     vec2 ndc = (vec2(pixel) + 0.5) / ray.size * 2.0 - 1.0;
     vec3 surface = eyeFromDepth(ray.inverseProjection, ndc, texelFetch(depthMap, pixel, 0).x);
-    return abs(dot(n, p - surface)) < ray.thickness + along;
+    return abs(dot(n, p - surface)) < ray.tolerance + error;
 }
 
-// phase in (0,1] shifts the points. Where a surface ends, rays pass behind it: that is no hit, and the search goes on. One loop for
-// points and bisections: rays that run side by side wait for each other at the end of each turn.
+// phase in (0,1] shifts the points. A ray that passes behind the edge of a surface does not hit it, and the search goes on. One loop
+// takes the points and the bisections: nested loops would wait for the slowest of the pixels that run together, at each point.
 ScreenHit screenRayHit(sampler2D depthMap, sampler2D normalMap, ScreenRay ray, int steps, float phase)
 {
     const int halvings = 5;

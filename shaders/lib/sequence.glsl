@@ -20,8 +20,8 @@ vec2 hammersley(uint i, uint n)
     return vec2((float(i) + 0.5) / float(n), radicalInverse(i) + 0.5 / float(n));
 }
 
-// Sample j of n, in [0,1)^2, of a pixel by its number in its 4x4 cell. The n points of a pixel are a lattice of low discrepancy, and so
-// are the 16 n points of a cell. Measured for n = 4 .. 32: as even as Hammersley's sets; .618 alone is even in the pixel only.
+// Sample j of n in [0,1)^2. pixel: its number, 0 .. 15, in its 4x4 cell. The n points of a pixel are a lattice of low discrepancy. So are
+// the 16 n points of a cell: for n = 4 .. 32 their discrepancy is that of Hammersley's sets. With .618 in place of 3.618 it is not.
 vec2 cellPoint(int j, float pixel, int n)
 {
     float i = float(j) + pixel / 16.0;

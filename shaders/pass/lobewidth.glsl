@@ -4,12 +4,15 @@
 #define LOBEWIDTH_GLSL
 
 const float NARROW_ROUGHNESS = 0.12;     // below: one ray, in the mirror direction
-const vec2 DEALT_ROUGHNESS = vec2(0.2, 0.3);  // from here on all of the map's lights are asked, by a cell of pixels
-const float FAR_ROUGHNESS = 0.5;         // below: those near the lobe by each pixel
+// Each pixel evaluates the lights that are near the direction of a lobe below the first. The pixels of a cell share out the other lights;
+// their part fades in over the second.
+const float NEAR_LIGHTS_ROUGHNESS = 0.5;
+const vec2 DEALT_ROUGHNESS = vec2(0.2, 0.3);
 const float TRACED_ROUGHNESS = 0.5;      // below: the picture is searched for what it shows
-// Pixels share what they know while their lobes turn by less than so many alphas. The map: .35 widens what floors reflect (atrium, S
-// under studio and courtyard: 1.6 and 1.9 %, with .2 .9 and 1.0 %; balls gain .1 by it).
-// What blocks it: .5 errs by 6.8 and 6.4 % at roughness .2 and .3 under courtyard, 1 by 5.5 and 4.9.
+// Pixels average their samples while their lobes turn by less than this, in alphas.
+// SHARED_TURN is for the map's radiance. With .35, S of the atrium errs by 1.6 % under studio and 1.9 % under courtyard, with .2 by .9
+// and 1.0 %: a wider average blurs what floors reflect. S of balls errs by .1 % less with .35.
+// SHARED_VISIBILITY_TURN is for what blocks it. Under courtyard, .5 errs by 6.8 and 6.4 % at roughness .2 and .3, 1 by 5.5 and 4.9 %.
 const float SHARED_TURN = 0.2;
 const float SHARED_VISIBILITY_TURN = 1.0;
 

@@ -152,14 +152,13 @@ struct Lobe {
     mat3 lightsFromLocal;
     vec3 view;      // local
     Bsdf bsdf;
-    float peak;     // of its values, about
-    float dealt;    // share of the lights that are not near it: too few fall into a narrow lobe's tails
-    int near;       // how many lights near its direction each pixel asks
-    uvec4 nearest;  // these, as in nearestLightMap
+    float dealt;    // weight of the lights that are not near it: in a narrow lobe's tails a pixel has too few, and they are noise
+    int near;       // how many lights near its direction each pixel evaluates
+    uvec4 nearest;  // their numbers, as in nearestLightMap
     uint nearOwn;   // bit i: light i of the pixel's own group is one of them
 };
 
-// Number k of them. Without an index into a vector: software renderers keep in memory what is indexed.
+// Number of the k-th near light. No component is chosen by an index: software renderers would keep the vector in memory.
 int nearLight(Lobe lobe, int k)
 {
     uvec2 two = k < 8 ? lobe.nearest.xy : lobe.nearest.zw;
@@ -172,17 +171,16 @@ Lobe lobeAt(ivec2 p, vec3 normal, int group)
     mat3 eyeFromLocal = frameAround(normal);
     lobe.lightsFromLocal = lightsFromEye() * eyeFromLocal;
     lobe.view = pixelView(p, eyeFromLocal);
-    // No narrower than a tenth of what the lights lie apart: it changes from one to the next without a step.
+    // Narrower lobes would see the nearest light alone, and show a step where another becomes the nearest.
     float roughness = max(texelFetch(normalMap, p, 0).a, 0.1);
     // What several scatterings add is the same for all lights.
     lobe.bsdf = makeBsdf(pixelBrdf(p), texelFetch(specularMap, p, 0).rgb, roughness, vec2(1.0, 0.0));
-    lobe.peak = 1.0 / (roughness * roughness * roughness * roughness);
     lobe.dealt = smoothstep(DEALT_ROUGHNESS.x, DEALT_ROUGHNESS.y, roughness);
     lobe.near = 0;
     lobe.nearest = uvec4(0u);
     lobe.nearOwn = 0u;
 #ifdef HAS_ATLAS
-    if (roughness >= FAR_ROUGHNESS || lobe.bsdf.brdf == BRDF_LAMBERT) return lobe;
+    if (roughness >= NEAR_LIGHTS_ROUGHNESS || lobe.bsdf.brdf == BRDF_LAMBERT) return lobe;
     int side = textureSize(nearestLightMap, 0).y;
     vec3 d = lobe.lightsFromLocal * vec3(-lobe.view.x, -lobe.view.y, lobe.view.z);
     ivec2 cell = min(ivec2(octahedralFromDirection(d) * float(side)), side - 1);
@@ -200,8 +198,10 @@ Lobe lobeAt(ivec2 p, vec3 normal, int group)
 void addToLobe(Lobe lobe, vec4 flux, vec3 direction, bool isSeen, float count, inout LobeLights sums)
 {
     vec3 l = direction * lobe.lightsFromLocal;
-    vec3 e = flux.rgb * bsdfLobe(lobe.bsdf, lobe.view, l) * (count / lobe.peak);
-    float s = flux.a * lobeShare(lobe.view, l, lobe.bsdf.roughness * lobe.bsdf.roughness) * count;
+    float alpha = lobe.bsdf.roughness * lobe.bsdf.roughness;
+    // Times alpha^2, about one over the lobe's peak: the sums are kept in half floats.
+    vec3 e = flux.rgb * bsdfLobe(lobe.bsdf, lobe.view, l) * (count * alpha * alpha);
+    float s = flux.a * lobeShare(lobe.view, l, alpha) * count;
     float seen = isSeen ? 1.0 : 0.0;
     sums.seen += seen * e;
     sums.all += e;
@@ -301,7 +301,8 @@ void main()
 #endif
             if (seen) sums.num += e;
 #ifdef HAS_LOBES
-            if ((lobe.nearOwn >> uint(i) & 1u) == 0u) addToLobe(lobe, e, direction, seen, lobe.dealt * float(LIGHT_GROUPS), lobeLights);
+            if (lobe.dealt > 0.0 && (lobe.nearOwn >> uint(i) & 1u) == 0u)
+                addToLobe(lobe, e, direction, seen, lobe.dealt * float(LIGHT_GROUPS), lobeLights);
 #endif
         }
     }

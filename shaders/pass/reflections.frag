@@ -16,8 +16,7 @@ uniform int reflectionSteps;
 
 layout(location = 0) out vec4 reflection;  // radiance of what is met, times whether it is; whether
 
-// Rays meet the planes that the picture shows, to half a pixel: what lies behind these it does not show.
-const float THICKNESS = 0.5;
+const float HIT_TOLERANCE = 0.5;  // distance from a surface's plane at which a ray still hits it, in widths of a pixel
 
 // A direction of the lobe in its local frame; below the horizon it meets nothing.
 vec3 lobeDirection(Bsdf b, vec3 v, int group)
@@ -45,9 +44,8 @@ void main()
     float depth = texelFetch(depthMap, p, 0).r;
     float footprint = pixelFootprint(inverseProjection, ndc, depth, viewportSize);
     vec3 origin = eyeFromDepth(inverseProjection, ndc, depth) + (footprint + length(depthStep(inverseProjection, ndc, depth))) * n;
-    ScreenRay ray = screenRay(projection, inverseProjection, viewportSize, origin, eyeFromLocal * d);
-    ray.most = 2.0 * sceneRadius;
-    ray.thickness = THICKNESS * footprint;
+    ScreenRay ray = screenRay(projection, inverseProjection, viewportSize, origin, eyeFromLocal * d, 2.0 * sceneRadius,
+                              HIT_TOLERANCE * footprint);
     reflection = vec4(0.0);
     if (d.z <= 0.0) return;
     // Points between those of its neighbours, where these are averaged; else as they, so that edges are lines.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 // S, first part: the map's radiance in the lobe, the integral of L f_H cos [seed 000, eq. 3, first term] over the lobe's albedo.
 // Each pixel of a 4x4 cell takes samples of its own, and leaves two sums, which the filter averages over the cell [specular.md 2].
-// Filtered importance sampling [Colbert, Krivanek 2008]: directions from the BRDF, each look-up as wide as the sample's share of the
-// lobe. Radiance in units of the map's mean.
+// Filtered importance sampling [Colbert, Krivanek 2008] draws directions from the BRDF and looks up the pyramid at the level whose texels
+// are as wide as the sample's share of the lobe. Radiance in units of the map's mean.
 #pragma import_defines(HAS_SUNS)
 
 #include "lib/bilateral.glsl"
@@ -64,8 +64,8 @@ vec2 firstAzimuth(LobePixel l)
     return unitVector(TWO_PI * (cellPoint(0, l.group, specularSamples).x + 0.5 / float(specularSamples) + sampleShift.x));
 }
 
-// Where sample i lies between the lobe's middle and its end. More samples go to the tails than these send on, and count for less:
-// a lamp there may outshine what the middle shows.
+// Where sample i lies between the lobe's middle and its end. The tails get more samples than their share of the lobe, each with less
+// weight: a lamp there may outshine what the middle shows.
 struct Tail {
     float left;   // share of the lobe that lies farther out, above 0
     float count;  // for how many samples of the lobe it counts, 1 in the mean

@@ -18,12 +18,9 @@ namespace
 const int width = 192;
 const int height = 144;
 
-glsl::ScreenRay rayFrom(const PlaneView& view, const vec3& origin, const vec3& direction, double most, double thickness)
+glsl::ScreenRay rayFrom(const PlaneView& view, const vec3& origin, const vec3& direction, double most, double tolerance)
 {
-    glsl::ScreenRay ray = glsl::screenRay(view.projection, view.inverse, view.size, origin, glsl::normalize(direction));
-    ray.most = most;
-    ray.thickness = thickness;
-    return ray;
+    return glsl::screenRay(view.projection, view.inverse, view.size, origin, glsl::normalize(direction), most, tolerance);
 }
 
 glsl::ScreenHit meets(const PlaneView& view, const glsl::ScreenRay& ray, int steps, double phase)
