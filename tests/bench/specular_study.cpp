@@ -2,8 +2,7 @@
 // How far S is from the truth, by roughness: metal balls beside each other on a floor, tRMSE in % of the term where nothing is in
 // the way ("open"), of what the scene leaves of it ("seen"), and that of means over 8 x 8 pixels ("blocks"), where noise averages
 // out and blotches stay; then the share of the light that the scene takes ("without"). Beside full light transport, of the whole
-// picture: with black where the scene is in the way ("black"), its mean radiance ("mean"), and what the view shows of it
-// ("shown").
+// picture: with black where the scene is in the way ("black"), and with what the view shows of it ("shown").
 //   envlight_specular_study [MAP...] [NAME=VALUE...] [--roughness R]... [--direct] [--pictures FOLDER]
 //     MAP          of the image suite
 //     NAME=VALUE   a setting of the nodekit
@@ -12,20 +11,18 @@
 #include <metrics/Display>
 #include <metrics/Mask>
 #include <metrics/Metrics>
-#include <osgEnvLight/Material>
 #include <reference/Reference>
 
 #include <ImageFile.h>
 
-#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <iostream>
 #include <stdexcept>
 
+#include "MetalBalls.h"
 #include "SceneRenderer.h"
 #include "SuiteScenes.h"
-#include "TracedView.h"
 
 using osgEnvLight::ErrorFigures;
 using osgEnvLight::Layer;
@@ -39,12 +36,6 @@ namespace
 const int width = 192, height = 128;
 const unsigned samples = 256;
 
-osg::ref_ptr<osg::Node> metal(const osg::ref_ptr<osg::Geode>& body, float roughness)
-{
-    osgEnvLight::Material::setCookTorrance(*body->getOrCreateStateSet(), osg::Vec3f(0.9f, 0.85f, 0.75f), 1.0f, roughness);
-    return body;
-}
-
 osg::ref_ptr<LitScene> makeBalls(float roughness)
 {
     osg::ref_ptr<LitScene> lit = new LitScene;
@@ -53,11 +44,7 @@ osg::ref_ptr<LitScene> makeBalls(float roughness)
     lit->getSettings()->regeneration = Settings::IMMEDIATE;
     lit->getSettings()->bounce = Settings::BOUNCE_OFF;
     lit->getSettings()->reflections = Settings::REFLECTIONS_MAP;
-    lit->addChild(makeQuad(osg::Vec3d(-6, -6, 0), osg::Vec3d(12, 0, 0), osg::Vec3d(0, 12, 0)));
-    for (int i = 0; i < 7; ++i) {
-        const double angle = 2.0 * osg::PI * i / 6.0, r = i == 6 ? 0.0 : 1.45;
-        lit->addChild(metal(makeSphere(osg::Vec3d(r * std::cos(angle), r * std::sin(angle), 0.6), 0.6, 96), roughness));
-    }
+    addMetalBalls(*lit, osg::Vec3f(0.9f, 0.85f, 0.75f), roughness);
     lit->addChild(makeBox(osg::Vec3d(-2.6, 2.2, 0), osg::Vec3d(2.6, 2.5, 2.4)));
     return lit;
 }
@@ -102,7 +89,7 @@ std::string pictureName(const std::string& folder, const std::string& map, float
 
 struct Row {
     double open = 0.0, seen = 0.0, blocks = 0.0, without = 0.0;
-    double black = 0.0, mean = 0.0, shown = 0.0;
+    double black = 0.0, shown = 0.0;
 };
 
 // The picture with one of the settings' reflections, direct light where nothing is reflected from surface to surface.
@@ -133,19 +120,13 @@ Row measure(const std::string& map, float roughness, const Options& options)
         if (!lit->getSettings()->set(s.substr(0, s.find('=')), s.substr(s.find('=') + 1), error)) throw std::runtime_error(error);
     }
     SceneRenderer renderer(width, height);
-    renderer.lookAt(osg::Vec3d(0.6, -6.2, 3.2), osg::Vec3d(0, 0, 0.5), osg::Vec3d(0, 0, 1), 34.0);
+    lookAtMetalBalls(renderer);
     lit->getSettings()->view = Settings::SPECULAR;
     const Picture seen = renderer.render(lit);
     lit->getSettings()->visibility = Settings::VISIBILITY_NONE;
     const Picture open = renderer.render(lit);
-    const osgEnvLight::ReferenceResult truth = tracedView(
-        *lit, renderer, samples, {Layer::SPECULAR, Layer::SPECULAR_VISIBLE, Layer::NORMAL, Layer::DEPTH, Layer::BEAUTY}, false);
-    Picture glossy = truth.mean(Layer::SPECULAR);
-    for (size_t i = 0; i < glossy.pixels(); ++i)
-        glossy.rgba[4 * i + 3] = glossy.rgba[4 * i] + glossy.rgba[4 * i + 1] > 0.0f ? 1.0f : 0.0f;
-    Picture surface = truth.mean(Layer::NORMAL);
-    for (size_t i = 0; i < surface.pixels(); ++i) surface.rgba[4 * i + 3] = truth.mean(Layer::BEAUTY).rgba[4 * i + 3];
-    const Mask mask = osgEnvLight::withoutEdges(Mask::geometry(glossy), surface, truth.mean(Layer::DEPTH));
+    const osgEnvLight::ReferenceResult truth = tracedSpecular(*lit, renderer, samples);
+    const Mask mask = glossyPixels(truth);
     const auto error = [&](const Picture& picture, Layer layer) {
         return osgEnvLight::compare(picture, truth.mean(layer), truth.standardError(layer), mask).tRmse;
     };
@@ -175,7 +156,6 @@ Row measure(const std::string& map, float roughness, const Options& options)
         return osgEnvLight::compare(picture, all, full.standardError(Layer::BEAUTY), mask).tRmse;
     };
     row.black = fullError(Settings::BOUNCE_OFF, Settings::REFLECTIONS_MAP);
-    row.mean = fullError(Settings::BOUNCE_MEAN, Settings::REFLECTIONS_MAP);
     row.shown = fullError(Settings::BOUNCE_MEAN, Settings::REFLECTIONS_SCREEN);
     return row;
 }
@@ -201,9 +181,9 @@ Options parse(const std::vector<std::string>& words)
 
 void print(const std::string& map, const std::vector<Row>& rows, bool direct)
 {
-    const std::pair<const char*, double Row::*> lines[] = {
-        {"open", &Row::open},   {"seen", &Row::seen}, {"blocks", &Row::blocks}, {"without", &Row::without},
-        {"black", &Row::black}, {"mean", &Row::mean}, {"shown", &Row::shown}};
+    const std::pair<const char*, double Row::*> lines[] = {{"open", &Row::open},     {"seen", &Row::seen},
+                                                           {"blocks", &Row::blocks}, {"without", &Row::without},
+                                                           {"black", &Row::black},   {"shown", &Row::shown}};
     for (const auto& [name, member] : lines) {
         if (direct && member == &Row::black) return;
         std::printf("%-10s %-10s", map.c_str(), name);

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "ClosedRoom.h"
+#include "MetalBalls.h"
 #include "TracedView.h"
 
 using osgEnvLight::Layer;
@@ -111,25 +112,14 @@ TEST(LobeOcclusion, LampsLeaveNoSpecksOnBalls)
         ASSERT_TRUE(lit->getEnvironmentMap()->load("studio", nullptr, error)) << error;
         lit->getSettings()->reflections = Settings::REFLECTIONS_MAP;
         lit->getSettings()->specularSamples = 32;
-        lit->addChild(makeQuad(osg::Vec3d(-6, -6, 0), osg::Vec3d(12, 0, 0), osg::Vec3d(0, 12, 0)));
-        for (int i = 0; i < 7; ++i) {
-            const double angle = 2.0 * osg::PI * i / 6.0, r = i == 6 ? 0.0 : 1.45;
-            lit->addChild(metal(makeSphere(osg::Vec3d(r * std::cos(angle), r * std::sin(angle), 0.6), 0.6, 96), row.roughness));
-        }
+        addMetalBalls(*lit, osg::Vec3f(0.9f, 0.9f, 0.9f), row.roughness);
         SceneRenderer renderer(144, 96);
-        renderer.lookAt(osg::Vec3d(0.6, -6.2, 3.2), osg::Vec3d(0, 0, 0.5), osg::Vec3d(0, 0, 1), 34.0);
+        lookAtMetalBalls(renderer);
         const Picture seen = renderer.render(lit);
         lit->getSettings()->visibility = Settings::VISIBILITY_NONE;
         const Picture open = renderer.render(lit);
-        const osgEnvLight::ReferenceResult truth = tracedView(
-            *lit, renderer, 256, {Layer::SPECULAR, Layer::SPECULAR_VISIBLE, Layer::NORMAL, Layer::DEPTH, Layer::BEAUTY}, false);
-        Picture glossy = truth.mean(Layer::SPECULAR), surface = truth.mean(Layer::NORMAL);
-        for (size_t i = 0; i < glossy.pixels(); ++i) {
-            glossy.rgba[4 * i + 3] = glossy.rgba[4 * i] > 0.0f ? 1.0f : 0.0f;
-            surface.rgba[4 * i + 3] = truth.mean(Layer::BEAUTY).rgba[4 * i + 3];
-        }
-        const osgEnvLight::Mask mask =
-            osgEnvLight::withoutEdges(osgEnvLight::Mask::geometry(glossy), surface, truth.mean(Layer::DEPTH));
+        const osgEnvLight::ReferenceResult truth = tracedSpecular(*lit, renderer, 256);
+        const osgEnvLight::Mask mask = glossyPixels(truth);
         const auto errorOf = [&](const Picture& picture, Layer layer) {
             return osgEnvLight::compare(picture, truth.mean(layer), truth.standardError(layer), mask).tRmse;
         };
