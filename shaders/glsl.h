@@ -87,15 +87,22 @@ inline vec4 textureLod(const sampler2D& s, vec2 st, double)
 #define float double
 #define HAS_PHONG
 #define HAS_COOK_TORRANCE
+#define HAS_BLINN_PHONG
+#define HAS_BECKMANN
+#define HAS_STRAUSS
 #include "lib/atlas.glsl"
 #include "lib/bilateral.glsl"
+#include "lib/beckmann.glsl"
+#include "lib/blinn.glsl"
 #include "lib/bsdf.glsl"
 #include "lib/bulge.glsl"
 #include "lib/constants.glsl"
 #include "lib/depth.glsl"
 #include "lib/frame.glsl"
+#include "lib/errorfunction.glsl"
 #include "lib/fresnel.glsl"
 #include "lib/ggx.glsl"
+#include "lib/glint.glsl"
 #include "lib/latlong.glsl"
 #include "lib/march.glsl"
 #include "lib/octahedral.glsl"
@@ -105,6 +112,7 @@ inline vec4 textureLod(const sampler2D& s, vec2 st, double)
 #include "lib/sequence.glsl"
 #include "lib/sh.glsl"
 #include "lib/slices.glsl"
+#include "lib/strauss.glsl"
 #include "lib/sun.glsl"
 #include "lib/sunshadow.glsl"
 #include "lib/tone.glsl"
@@ -112,7 +120,10 @@ inline vec4 textureLod(const sampler2D& s, vec2 st, double)
 #undef float
 #undef HAS_PHONG
 #undef HAS_COOK_TORRANCE
+#undef HAS_BLINN_PHONG
+#undef HAS_BECKMANN
+#undef HAS_STRAUSS
 
-} // namespace
-} // namespace glsl
+}  // namespace
+}  // namespace glsl
 #pragma GCC diagnostic pop

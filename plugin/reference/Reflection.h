@@ -32,8 +32,9 @@ class Reflection
     const glm::dvec3& mirrorDirection() const { return _reflected; }
     const glm::dvec3& mirrorWeight() const { return _mirrorWeight; }
 
-    /** By the cosine about the normal; evenly over the hemisphere; by the lobe: normals of GGX's distribution [Walter 2007,
-     * eq. 35], or cos^n. The lobe's may point below the surface, and is null where the normal is one the viewer can't see.*/
+    /** By the cosine about the normal; evenly over the hemisphere; by the lobe: cos^n, or normals of GGX's distribution [Walter
+     * 2007, eq. 35] for all microfacets, whose tails are the longest. The lobe's may point below the surface, and is null where
+     * the normal is one the viewer can't see.*/
     glm::dvec3 sampleCosine(const glm::dvec2& u) const;
     glm::dvec3 sampleHemisphere(const glm::dvec2& u) const;
     glm::dvec3 sampleLobe(const glm::dvec2& u) const;
@@ -43,8 +44,8 @@ class Reflection
 
   private:
     void setView(const glm::dvec3& direction);
-    void setCookTorrance(const SurfaceMaterial& m, const glm::dvec3& base);
-    void setPhong(const SurfaceMaterial& m);
+    void setParameters(const SurfaceMaterial& m, const glm::dvec3& base);
+    void setLobe();
     glm::dvec3 local(const glm::dvec3& l) const { return l * _frame; }
 
     glm::dvec3 _normal;
@@ -58,9 +59,9 @@ class Reflection
     glm::dvec3 _f0{0, 0, 0};
     glm::dvec3 _energy{1, 1, 1};
     glm::dvec3 _mirrorWeight{0, 0, 0};
-    double _alpha = 1.0;
-    double _exponent = 0.0;
-    bool _phong = false;
+    glm::dvec3 _body{1, 1, 1};  // share of light that the lobe leaves to the Lambert term
+    double _roughness = 1.0;
+    int _brdf = 0;  // Material::Brdf
     bool _lobe = false;
     bool _mirror = false;
 };

@@ -98,7 +98,7 @@ void SceneState::setHostMaterial(SurfaceMaterial& m, bool linearColors) const
     m.color = glm::dvec4(rgb(diffuse), diffuse.a());
     m.emission = decoded(rgb(material->getEmission(osg::Material::FRONT)));
     if (!phongMaterial()) return;
-    m.brdf = Material::PHONG;
+    m.brdf = Material::BLINN_PHONG;
     m.limited = true;
     m.specular = decoded(rgb(material->getSpecular(osg::Material::FRONT)));
     m.exponent = double(material->getShininess(osg::Material::FRONT));
@@ -107,17 +107,13 @@ void SceneState::setHostMaterial(SurfaceMaterial& m, bool linearColors) const
 void SceneState::setOwnMaterial(SurfaceMaterial& m) const
 {
     if (emits()) m.emission = rgb(uniform("envlightEmission", osg::Vec3f()));
-    if (brdf() == Material::COOK_TORRANCE) {
-        m.color = glm::dvec4(rgb(uniform("envlightBaseColor", osg::Vec3f())), m.color.a);
-        m.metalness = double(uniform("envlightMetalness", 0.0f));
-        m.roughness = double(uniform("envlightRoughness", 0.0f));
-    } else if (brdf() >= 0) {
-        m.color = glm::dvec4(rgb(uniform("envlightDiffuse", osg::Vec3f())), m.color.a);
-        if (brdf() == Material::PHONG) {
-            m.specular = rgb(uniform("envlightSpecular", osg::Vec3f()));
-            m.exponent = double(uniform("envlightExponent", 0.0f));
-        }
-    }
+    const bool metallic = brdf() == Material::COOK_TORRANCE || brdf() == Material::BECKMANN || brdf() == Material::STRAUSS;
+    m.color = glm::dvec4(rgb(uniform(metallic ? "envlightBaseColor" : "envlightDiffuse", osg::Vec3f())), m.color.a);
+    m.metalness = double(uniform("envlightMetalness", 0.0f));
+    m.roughness = double(uniform("envlightRoughness", 0.0f));
+    m.smoothness = double(uniform("envlightSmoothness", 0.0f));
+    m.specular = rgb(uniform("envlightSpecular", osg::Vec3f()));
+    m.exponent = double(uniform("envlightExponent", 0.0f));
 }
 
 void SceneState::setTexture(SurfaceMaterial& m, TextureCache& textures, std::set<std::string>& leftOut) const

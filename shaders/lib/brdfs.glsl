@@ -5,6 +5,9 @@
 
 #define BRDF_LAMBERT 0
 #define BRDF_PHONG 1
-#define BRDF_COOK_TORRANCE 2
+#define BRDF_COOK_TORRANCE 2  // with GGX's distribution
+#define BRDF_BLINN_PHONG 3
+#define BRDF_BECKMANN 4       // Cook-Torrance with Beckmann's distribution
+#define BRDF_STRAUSS 5
 
 #endif

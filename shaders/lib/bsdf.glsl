@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: MIT
 // What a surface is made of: a Lambert layer, and above it a lobe of one of the BRDFs. Each pass that shades asks here, so that all
-// agree. Local frame as in lib/ggx.glsl. Only the lobes of HAS_PHONG and HAS_COOK_TORRANCE are compiled.
+// agree. Local frame as in lib/ggx.glsl. Only the lobes that are asked for are compiled: HAS_PHONG, HAS_COOK_TORRANCE,
+// HAS_BLINN_PHONG, HAS_BECKMANN, HAS_STRAUSS.
 #ifndef BSDF_GLSL
 #define BSDF_GLSL
 
 #ifndef __cplusplus  // see glsl.h
-#pragma import_defines(HAS_PHONG, HAS_COOK_TORRANCE)
+#pragma import_defines(HAS_PHONG, HAS_COOK_TORRANCE, HAS_BLINN_PHONG, HAS_BECKMANN, HAS_STRAUSS)
+#endif
+#if defined(HAS_COOK_TORRANCE) || defined(HAS_BLINN_PHONG) || defined(HAS_BECKMANN)
+#define HAS_MICROFACETS
 #endif
 
+#include "lib/beckmann.glsl"
+#include "lib/blinn.glsl"
 #include "lib/brdfs.glsl"
 #include "lib/fresnel.glsl"
 #include "lib/ggx.glsl"
 #include "lib/phong.glsl"
+#include "lib/strauss.glsl"
 
 struct Bsdf {
     int brdf;
@@ -22,6 +29,12 @@ struct Bsdf {
     vec3 body;       // share that reaches the Lambert layer
 };
 
+// Lobes that normals half-way to the light make, and not a power of the angle to the mirror direction.
+bool isMicrofacets(int brdf)
+{
+    return brdf == BRDF_COOK_TORRANCE || brdf == BRDF_BECKMANN || brdf == BRDF_BLINN_PHONG;
+}
+
 // Factor for what a single bounce between microfacets loses: specular.md, 7.
 vec3 multipleScattering(vec3 f0, float single)
 {
@@ -30,7 +43,7 @@ vec3 multipleScattering(vec3 f0, float single)
     return 1.0 + pow(max(f0, vec3(1e-6)), vec3(p)) * (1.0 / e - 1.0);
 }
 
-// table: scale and offset of F0 in the Cook-Torrance lobe's directional albedo [pass/albedo.glsl].
+// table: scale and offset of F0 in the lobe's directional albedo, of one bounce [pass/albedo.glsl].
 Bsdf makeBsdf(int brdf, vec3 f0, float roughness, vec2 table)
 {
     Bsdf b;
@@ -40,25 +53,99 @@ Bsdf makeBsdf(int brdf, vec3 f0, float roughness, vec2 table)
     b.energy = vec3(1.0);
     b.reflected = brdf == BRDF_LAMBERT ? vec3(0.0) : f0;
     b.body = vec3(1.0);
-#ifdef HAS_COOK_TORRANCE
-    if (brdf == BRDF_COOK_TORRANCE) {
+#ifdef HAS_BLINN_PHONG
+    // As for Phong, diffuse and specular reflectance sum to 1 at most.
+    if (brdf == BRDF_BLINN_PHONG) {
+        b.energy = multipleScattering(f0, table.x + table.y);
+        b.reflected = f0 * (table.x + table.y) * b.energy;
+    }
+#endif
+#if defined(HAS_COOK_TORRANCE) || defined(HAS_BECKMANN)
+    if (brdf == BRDF_COOK_TORRANCE || brdf == BRDF_BECKMANN) {
         b.energy = multipleScattering(f0, table.x + table.y);
         b.reflected = (f0 * table.x + table.y) * b.energy;
         b.body = max(1.0 - b.reflected, vec3(0.0));
     }
 #endif
+#ifdef HAS_STRAUSS
+    if (brdf == BRDF_STRAUSS) {
+        b.reflected = f0 * table.x + table.y;
+        float s = straussSmoothness(phongExponent(roughness));
+        b.body = min((1.0 - b.reflected) / max(1.0 - s * s * s, 1e-5), vec3(1.0));
+    }
+#endif
     return b;
 }
+
+#ifdef HAS_MICROFACETS
+// The share of light that a facet reflects, at the cosine c to its normal.
+vec3 bsdfFresnel(Bsdf b, float c)
+{
+    return b.brdf == BRDF_BLINN_PHONG ? b.f0 : fresnelSchlick(b.f0, c);
+}
+
+// Masking and shadowing over four cosines.
+float bsdfVisibility(Bsdf b, float cosV, float cosL)
+{
+    float alpha = b.roughness * b.roughness;
+#ifdef HAS_BECKMANN
+    if (b.brdf == BRDF_BECKMANN) return smithVisibility(cosV, beckmannRoot(cosV, alpha), cosL, beckmannRoot(cosL, alpha));
+#endif
+#ifdef HAS_BLINN_PHONG
+    if (b.brdf == BRDF_BLINN_PHONG) {
+        float n = phongExponent(b.roughness);
+        return smithVisibility(cosV, blinnRoot(cosV, n), cosL, blinnRoot(cosL, n));
+    }
+#endif
+    return ggxVisibility(cosV, cosL, alpha);
+}
+
+// Density of the facets' normals.
+float bsdfNormals(Bsdf b, vec3 h)
+{
+    float alpha = b.roughness * b.roughness;
+#ifdef HAS_BECKMANN
+    if (b.brdf == BRDF_BECKMANN) return beckmannD(h, alpha);
+#endif
+#ifdef HAS_BLINN_PHONG
+    if (b.brdf == BRDF_BLINN_PHONG) return blinnD(h, phongExponent(b.roughness));
+#endif
+    return ggxD(h, alpha);
+}
+
+// The lobe's value without Fresnel, of one bounce; h half-way.
+float bsdfMicrofacets(Bsdf b, vec3 v, vec3 l, vec3 h)
+{
+    return v.z > 0.0 && l.z > 0.0 ? bsdfNormals(b, h) * bsdfVisibility(b, v.z, l.z) : 0.0;
+}
+#endif
+
+#if defined(HAS_PHONG) || defined(HAS_STRAUSS)
+// The factor of the power of the angle to the mirror direction.
+vec3 bsdfMirrored(Bsdf b, float cosV, float cosL)
+{
+#ifdef HAS_STRAUSS
+    if (b.brdf == BRDF_STRAUSS) {
+        vec2 r = straussReflectance(straussSmoothness(phongExponent(b.roughness)), cosV, cosL);
+        return b.f0 * r.x + r.y;
+    }
+#endif
+    return b.f0;
+}
+#endif
 
 // The lobe's value per solid angle.
 vec3 bsdfLobe(Bsdf b, vec3 v, vec3 l)
 {
-#ifdef HAS_COOK_TORRANCE
-    if (b.brdf == BRDF_COOK_TORRANCE)
-        return b.energy * fresnelSchlick(b.f0, dot(normalize(v + l), v)) * ggxBrdf(v, l, b.roughness * b.roughness);
+#if defined(HAS_PHONG) || defined(HAS_STRAUSS)
+    if (b.brdf == BRDF_PHONG || b.brdf == BRDF_STRAUSS)
+        return bsdfMirrored(b, v.z, l.z) * phongBrdf(vec3(-v.x, -v.y, v.z), l, phongExponent(b.roughness));
 #endif
-#ifdef HAS_PHONG
-    if (b.brdf == BRDF_PHONG) return b.f0 * phongBrdf(vec3(-v.x, -v.y, v.z), l, phongExponent(b.roughness));
+#ifdef HAS_MICROFACETS
+    if (isMicrofacets(b.brdf)) {
+        vec3 h = normalize(v + l);
+        return b.energy * bsdfFresnel(b, dot(h, v)) * bsdfMicrofacets(b, v, l, h);
+    }
 #endif
     return vec3(0.0);
 }

@@ -37,10 +37,15 @@ float ggxG2OverG1(float cosV, float cosL, float alpha)
     return ggxUnshadowed(cosV, ggxRoot(cosV, alpha), cosL, ggxRoot(cosL, alpha));
 }
 
-// Visibility G2 / (4 cosV cosL), never dividing by the cosines.
+// Visibility G2 / (4 cosV cosL) of any distribution, never dividing by the cosines; a root is cos (1 + 2 Lambda).
+float smithVisibility(float cosV, float rootV, float cosL, float rootL)
+{
+    return 0.5 / max(cosL * rootV + cosV * rootL, 1e-30);
+}
+
 float ggxVisibility(float cosV, float cosL, float alpha)
 {
-    return 0.5 / max(cosL * ggxRoot(cosV, alpha) + cosV * ggxRoot(cosL, alpha), 1e-30);
+    return smithVisibility(cosV, ggxRoot(cosV, alpha), cosL, ggxRoot(cosL, alpha));
 }
 
 // BRDF value without Fresnel, per solid angle.

@@ -6,6 +6,12 @@
 
 #include "lib/constants.glsl"
 
+// log(1 - x), x in [0,1]: by series where 1 - x would round.
+float logOneMinus(float x)
+{
+    return x < 0.01 ? -x * (1.0 + x * (0.5 + x * (0.33333333333 + x * 0.25))) : log(max(1.0 - x, 1e-30));
+}
+
 // cos^n of the angle between the unit vectors r and l. Written with 1 - cos = |r-l|^2/2, which keeps the digits that
 // pow(dot(r, l), n) loses for n > 1e4.
 float phongPower(vec3 r, vec3 l, float exponent)
@@ -13,9 +19,7 @@ float phongPower(vec3 r, vec3 l, float exponent)
     vec3 d = r - l;
     float x = 0.5 * dot(d, d);
     if (x >= 1.0) return 0.0;
-    // log1p(-x): a series where 1 - x would round
-    float logCos = x < 0.01 ? -x * (1.0 + x * (0.5 + x * (0.33333333333 + x * 0.25))) : log(1.0 - x);
-    return exp(exponent * logCos);
+    return exp(exponent * logOneMinus(x));
 }
 
 // BRDF value for ks = 1, per solid angle.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Directional albedo of the Cook-Torrance lobe, from the table over (roughness, sqrt cos): scale and offset of F0.
+// Directional albedo of lobes, of one bounce: scale and offset of F0. Those of microfacets come from a table over (roughness, sqrt cos),
+// one beside the other for each distribution.
 #ifndef ALBEDO_GLSL
 #define ALBEDO_GLSL
 
@@ -7,21 +8,26 @@
 
 uniform sampler2D albedoTable;
 
-vec2 lobeAlbedo(float roughness, float cosV)
+vec2 lobeAlbedo(int brdf, float roughness, float cosV)
 {
-    vec2 n = vec2(textureSize(albedoTable, 0));
-    vec2 st = vec2(roughness, sqrt(clamp(cosV, 0.0, 1.0)));
-    return textureLod(albedoTable, (st * (n - 1.0) + 0.5) / n, 0.0).rg;
+#ifdef HAS_STRAUSS
+    if (brdf == BRDF_STRAUSS) return straussReflectance(straussSmoothness(phongExponent(roughness)), cosV, cosV);
+#endif
+#ifdef HAS_MICROFACETS
+    if (isMicrofacets(brdf)) {
+        vec2 size = vec2(textureSize(albedoTable, 0));
+        vec2 st = vec2(roughness, sqrt(clamp(cosV, 0.0, 1.0))) * (size.y - 1.0) + 0.5;
+        st.x += size.y * float(brdf == BRDF_COOK_TORRANCE ? 0 : brdf == BRDF_BECKMANN ? 1 : 2);
+        return textureLod(albedoTable, st / size, 0.0).rg;
+    }
+#endif
+    return vec2(0.0);
 }
 
 // The Bsdf of a surface seen under cosV.
 Bsdf bsdfOf(int brdf, vec3 f0, float roughness, float cosV)
 {
-    vec2 table = vec2(0.0);
-#ifdef HAS_COOK_TORRANCE
-    if (brdf == BRDF_COOK_TORRANCE) table = lobeAlbedo(roughness, cosV);
-#endif
-    return makeBsdf(brdf, f0, roughness, table);
+    return makeBsdf(brdf, f0, roughness, lobeAlbedo(brdf, roughness, cosV));
 }
 
 #endif

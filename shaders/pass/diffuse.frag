@@ -33,7 +33,7 @@ void main()
     vec3 n = pixelNormal(p);
     vec3 rho = texelFetch(albedoMap, p, 0).rgb;
     float share = 1.0;  // of the albedo that diffuse light meets
-#ifdef HAS_COOK_TORRANCE
+#if defined(HAS_COOK_TORRANCE) || defined(HAS_BECKMANN) || defined(HAS_STRAUSS)
     // What the lobe reflects never reaches the layer below.
     Bsdf b = bsdfOf(pixelBrdf(p), texelFetch(specularMap, p, 0).rgb, texelFetch(normalMap, p, 0).a,
                     -dot(n, viewRay(inverseProjection, pixelNdc(p))));

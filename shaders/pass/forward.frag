@@ -13,6 +13,7 @@
 #include "pass/albedo.glsl"
 #include "pass/irradiance.glsl"
 #if defined(HAS_SUNS) || defined(HAS_SUN_MAPS)
+#include "lib/glint.glsl"
 #include "pass/suns.glsl"
 #endif
 #ifdef HAS_ATLAS
@@ -158,14 +159,16 @@ void main()
 #ifdef HAS_SUNS
     mat3 mapFromLocal = frameAround(mapNormal);
     vec3 local = mapFromEyeForward * v * mapFromLocal;
+    local = normalize(vec3(local.xy, max(local.z, 1e-4)));
+    Bsdf shiny = b;  // a sun's mirror image is a disc of few pixels
+    shiny.roughness = max(b.roughness, 0.03);
     for (int i = 0; i < sunCount; ++i) {
         vec3 sun = sunShare(i, s) * sunRadiance[i];
 #ifdef SUN_DIFFUSE
         irradiance += sun * discIrradianceOverPi(dot(mapNormal, sunDirection[i]), sunRadius[i]);
 #endif
 #ifdef HAS_SPECULAR
-        if (s.brdf != BRDF_LAMBERT)
-            sunGlint += sun * ggxDisc(sunDirection[i] * mapFromLocal, local, max(s.roughness * s.roughness, 1e-3), sunRadius[i]);
+        sunGlint += sun * bsdfDisc(shiny, sunDirection[i] * mapFromLocal, local, sunRadius[i]);
 #endif
     }
 #endif
@@ -177,7 +180,7 @@ void main()
     if (s.brdf != BRDF_LAMBERT) {
         vec3 glint = sceneGlint;
 #ifdef HAS_SPECULAR
-        glint += b.reflected * (mirrored(s) * seen.lobe + sunGlint) * radianceScale;
+        glint += (b.reflected * mirrored(s) * seen.lobe + sunGlint) * radianceScale;
 #ifdef HAS_BOUNCE
         glint += b.reflected * (1.0 - seen.lobe) * meanRadiance(reflect(s.ray, s.normal));
 #endif

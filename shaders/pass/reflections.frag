@@ -24,8 +24,9 @@ vec3 lobeDirection(Bsdf b, vec3 v, int group)
     vec3 mirrored = vec3(-v.x, -v.y, v.z);
     if (b.roughness < NARROW_ROUGHNESS) return mirrored;
     vec2 u = cellPoint(0, float(group), 1) + vec2(1.0 / 32.0);
-#ifdef HAS_PHONG
-    if (b.brdf == BRDF_PHONG) return frameAround(mirrored) * phongSample(phongExponent(b.roughness), u);
+#if defined(HAS_PHONG) || defined(HAS_STRAUSS)
+    if (b.brdf == BRDF_PHONG || b.brdf == BRDF_STRAUSS)
+        return frameAround(mirrored) * phongSample(phongExponent(b.roughness), u);
 #endif
     vec3 h = ggxVisibleNormalSample(v, b.roughness * b.roughness, u);
     return 2.0 * dot(v, h) * h - v;

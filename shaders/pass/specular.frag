@@ -15,6 +15,7 @@
 #include "pass/albedo.glsl"
 #include "pass/lobewidth.glsl"
 #ifdef HAS_SUNS
+#include "lib/glint.glsl"
 #include "pass/suns.glsl"
 #endif
 
@@ -116,13 +117,15 @@ LobePixel lobePixel(ivec2 p)
     return l;
 }
 
-#ifdef HAS_COOK_TORRANCE
-vec4 cookTorrance(LobePixel l)
+#ifdef HAS_MICROFACETS
+// Normals are drawn from those of GGX that are visible; other distributions of the same alpha weigh them (specular.md 6).
+vec4 microfacets(LobePixel l)
 {
     vec3 v = l.view;
     GgxCap cap = ggxCap(v, l.alpha);
     float rootV = ggxRoot(v.z, l.alpha);
-    float lodOfUnitSpread = lodOfUnitDensity(l) - 0.5 * log2(ggxPdfFactor(v.z, rootV, l.alpha));
+    float pdfFactor = ggxPdfFactor(v.z, rootV, l.alpha);
+    float lodOfUnitSpread = lodOfUnitDensity(l) - 0.5 * log2(pdfFactor);
     vec2 azimuth = firstAzimuth(l);
     vec2 turn = unitVector(TWO_PI / float(specularSamples));
     vec3 num = vec3(0.0);
@@ -133,9 +136,14 @@ vec4 cookTorrance(LobePixel l)
         azimuth = nextAzimuth(azimuth, turn);
         float c = dot(v, h);
         vec3 d = 2.0 * c * h - v;
+        float spread = ggxSpread(h, l.alpha);
         float w = d.z > 0.0 ? tail.count * ggxUnshadowed(v.z, rootV, d.z, ggxRoot(d.z, l.alpha)) : 0.0;
-        vec3 weight = w * fresnelSchlick(l.bsdf.f0, c);
-        num += weight * filtered(l.mapFromLocal * d, lodOfUnitSpread + log2(ggxSpread(h, l.alpha)) + 0.5 * log2(tail.count));
+#if defined(HAS_BECKMANN) || defined(HAS_BLINN_PHONG)
+        if (l.bsdf.brdf != BRDF_COOK_TORRANCE)
+            w = tail.count * bsdfMicrofacets(l.bsdf, v, d, h) * max(d.z, 0.0) * spread * spread / pdfFactor;
+#endif
+        vec3 weight = w * bsdfFresnel(l.bsdf, c);
+        num += weight * filtered(l.mapFromLocal * d, lodOfUnitSpread + log2(spread) + 0.5 * log2(tail.count));
         den += weight;
     }
     // Of sums that are divided by the weights' share of their mean, the albedo, an even map has no noise.
@@ -144,8 +152,8 @@ vec4 cookTorrance(LobePixel l)
 }
 #endif
 
-#ifdef HAS_PHONG
-vec4 phong(LobePixel l)
+#if defined(HAS_PHONG) || defined(HAS_STRAUSS)
+vec4 mirrorLobe(LobePixel l)
 {
     float n = phongExponent(l.bsdf.roughness);
     mat3 lobe = frameAround(vec3(-l.view.x, -l.view.y, l.view.z));
@@ -159,25 +167,25 @@ vec4 phong(LobePixel l)
         vec3 d = lobe * phongDirection(n, azimuth, logU);
         azimuth = nextAzimuth(azimuth, turn);
         float lod = unitLod + 0.5 * (log(tail.count) - phongLogPdf(n, logU)) / log(2.0);
-        sum += tail.count * max(d.z, 0.0) * filtered(l.mapFromLocal * d, lod);
+        sum += bsdfMirrored(l.bsdf, l.view.z, d.z) * (tail.count * max(d.z, 0.0)) * filtered(l.mapFromLocal * d, lod);
     }
-    return vec4(l.bsdf.f0 * ((n + 2.0) / (n + 1.0)) * sum / float(specularSamples), 1.0);
+    return vec4((n + 2.0) / (n + 1.0) * sum / float(specularSamples), 1.0);
 }
 #endif
 
 // Of radiance and weight, by samples of the lobe; their weight is 1 in the mean.
 vec4 sampled(LobePixel l)
 {
-    vec3 r = vec3(-l.view.x, -l.view.y, l.view.z);
     bool isMirror = l.alpha < MIRROR_ALPHA;
-#ifdef HAS_COOK_TORRANCE
-    if (l.bsdf.brdf == BRDF_COOK_TORRANCE)
-        return isMirror ? vec4(fresnelSchlick(l.bsdf.f0, l.view.z) * mirror(l.mapFromLocal * r), 1.0) : cookTorrance(l);
+    vec3 seen = isMirror ? mirror(l.mapFromLocal * vec3(-l.view.x, -l.view.y, l.view.z)) : vec3(0.0);
+#ifdef HAS_MICROFACETS
+    if (isMicrofacets(l.bsdf.brdf)) return isMirror ? vec4(bsdfFresnel(l.bsdf, l.view.z) * seen, 1.0) : microfacets(l);
 #endif
-#ifdef HAS_PHONG
-    if (l.bsdf.brdf == BRDF_PHONG) {
+#if defined(HAS_PHONG) || defined(HAS_STRAUSS)
+    if (l.bsdf.brdf == BRDF_PHONG || l.bsdf.brdf == BRDF_STRAUSS) {
         float n = phongExponent(l.bsdf.roughness);
-        return isMirror ? vec4(l.bsdf.f0 * ((n + 2.0) / (n + 1.0) * l.view.z) * mirror(l.mapFromLocal * r), 1.0) : phong(l);
+        float c = l.view.z;
+        return isMirror ? vec4(bsdfMirrored(l.bsdf, c, c) * ((n + 2.0) / (n + 1.0) * c) * seen, 1.0) : mirrorLobe(l);
     }
 #endif
     return vec4(0.0);
@@ -187,21 +195,9 @@ vec4 sampled(LobePixel l)
 vec3 glint(LobePixel l)
 {
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < sunCount; ++i) {
-        vec3 s = sunDirection[i] * l.mapFromLocal;
-        vec3 e = sunVisibility(i) * sunRadiance[i];
-#ifdef HAS_COOK_TORRANCE
-        if (l.bsdf.brdf == BRDF_COOK_TORRANCE && l.alpha >= MIRROR_ALPHA)
-            sum += e * l.bsdf.energy * fresnelSchlick(l.bsdf.f0, dot(normalize(l.view + s), l.view)) * ggxDisc(s, l.view, l.alpha, sunRadius[i]);
-#endif
-#ifdef HAS_PHONG
-        if (l.bsdf.brdf == BRDF_PHONG && l.alpha >= MIRROR_ALPHA) {
-            float n = phongExponent(l.bsdf.roughness);
-            sum += e * l.bsdf.f0 * (n + 2.0) / TWO_PI * phongDisc(vec3(-l.view.x, -l.view.y, l.view.z), s, n, sunRadius[i]) *
-                   (discIrradianceOverPi(s.z, sunRadius[i]) / (sin(sunRadius[i]) * sin(sunRadius[i])));
-        }
-#endif
-    }
+    if (l.alpha < MIRROR_ALPHA) return sum;
+    for (int i = 0; i < sunCount; ++i)
+        sum += sunVisibility(i) * sunRadiance[i] * bsdfDisc(l.bsdf, sunDirection[i] * l.mapFromLocal, l.view, sunRadius[i]);
     return sum;
 }
 #endif

@@ -3,22 +3,31 @@
 // and vertices, and of images without floats, are sRGB encoded; those of our Material are linear.
 #ifndef SURFACE_GLSL
 #define SURFACE_GLSL
-#pragma import_defines(HAS_SUN_MAPS, ENVLIGHT_COOK_TORRANCE, ENVLIGHT_LAMBERT, ENVLIGHT_PHONG, FACE_NORMAL, VERTEX_COLOR, UNLIT, NO_TEXTURE, LINEAR_TEXTURE, ALPHA_TEXTURE, TEXTURE_REPLACE, TEXTURE_DECAL, TEXTURE_BLEND, TEXTURE_ADD, PAINTED_REFLECTION, PHONG_MATERIAL, TWO_SIDED, ENVLIGHT_EMISSION)
+#pragma import_defines(HAS_SUN_MAPS, ENVLIGHT_COOK_TORRANCE, ENVLIGHT_LAMBERT, ENVLIGHT_PHONG, ENVLIGHT_STRAUSS, FACE_NORMAL, VERTEX_COLOR, UNLIT, NO_TEXTURE, LINEAR_TEXTURE, ALPHA_TEXTURE, TEXTURE_REPLACE, TEXTURE_DECAL, TEXTURE_BLEND, TEXTURE_ADD, PAINTED_REFLECTION, PHONG_MATERIAL, TWO_SIDED, ENVLIGHT_EMISSION)
 
 #include "lib/brdfs.glsl"
 #include "lib/bulge.glsl"
 #include "lib/depth.glsl"
 #include "lib/phong.glsl"
+#include "lib/strauss.glsl"
 #include "lib/tone.glsl"
 #include "pass/hostcolor.glsl"
 #include "pass/materialmaps.glsl"
 
 uniform sampler2D baseColorMap;
 
-#ifdef ENVLIGHT_COOK_TORRANCE
+#if defined(ENVLIGHT_COOK_TORRANCE) || defined(ENVLIGHT_PHONG)
+uniform int envlightBrdf;  // which of those with these parameters
+#endif
+#if defined(ENVLIGHT_COOK_TORRANCE) || defined(ENVLIGHT_STRAUSS)
 uniform vec3 envlightBaseColor;
 uniform float envlightMetalness;
+#endif
+#ifdef ENVLIGHT_COOK_TORRANCE
 uniform float envlightRoughness;
+#endif
+#ifdef ENVLIGHT_STRAUSS
+uniform float envlightSmoothness;
 #endif
 #if defined(ENVLIGHT_LAMBERT) || defined(ENVLIGHT_PHONG)
 uniform vec3 envlightDiffuse;
@@ -48,7 +57,7 @@ struct Surface {
     vec3 normal;     // eye space, unit, against the ray
     float roughness; // of the lobe
     vec3 f0;         // colour of the lobe at normal incidence
-    int brdf;        // BRDF_LAMBERT, BRDF_PHONG, BRDF_COOK_TORRANCE
+    int brdf;        // of lib/brdfs.glsl
     vec3 emission;   // radiance
     float bulge;     // of what the normals stand for above the facet, in shares of the distance to the eye: for the suns' maps alone
 };
@@ -76,7 +85,7 @@ vec3 surfaceNormal(vec3 facet)
 #endif
 }
 
-#if defined(ENVLIGHT_COOK_TORRANCE) || defined(ENVLIGHT_LAMBERT) || defined(ENVLIGHT_PHONG)
+#if defined(ENVLIGHT_COOK_TORRANCE) || defined(ENVLIGHT_LAMBERT) || defined(ENVLIGHT_PHONG) || defined(ENVLIGHT_STRAUSS)
 #define ENVLIGHT_MATERIAL
 #endif
 
@@ -176,7 +185,7 @@ Surface readSurface()
     s.emission = emission * (materialColors == 0 ? exp2(emittedStops) : 1.0);
 #endif
     vec4 material = host.diffuse;
-#ifdef ENVLIGHT_COOK_TORRANCE
+#if defined(ENVLIGHT_COOK_TORRANCE) || defined(ENVLIGHT_STRAUSS)
     material.rgb = envlightBaseColor;
 #endif
 #if defined(ENVLIGHT_LAMBERT) || defined(ENVLIGHT_PHONG)
@@ -190,14 +199,19 @@ Surface readSurface()
 #ifdef METAL_ROUGH_MAP
     roughMetal *= mappedRoughMetal();
 #endif
-    s.brdf = BRDF_COOK_TORRANCE;
+    s.brdf = envlightBrdf;
     s.albedo = base.rgb * (1.0 - roughMetal.y);
     s.f0 = mix(vec3(0.04), base.rgb, roughMetal.y);
     s.roughness = roughMetal.x;
 #elif defined(ENVLIGHT_PHONG)
-    s.brdf = BRDF_PHONG;
+    s.brdf = envlightBrdf;
     s.f0 = envlightSpecular;
     s.roughness = phongRoughness(envlightExponent);
+#elif defined(ENVLIGHT_STRAUSS)
+    s.brdf = BRDF_STRAUSS;
+    s.albedo = base.rgb * straussDiffuse(envlightSmoothness, envlightMetalness);
+    s.f0 = mix(vec3(1.0), base.rgb, envlightMetalness);
+    s.roughness = phongRoughness(straussExponent(envlightSmoothness));
 #elif defined(PAINTED_REFLECTION) && !defined(ENVLIGHT_MATERIAL)
     s.brdf = BRDF_COOK_TORRANCE;
     s.roughness = PAINTED_ROUGHNESS;
@@ -212,7 +226,7 @@ Surface readSurface()
     s.albedo = vec3(0.0);
 #elif defined(PHONG_MATERIAL)
     // Legacy materials reflect more than they receive: both terms are scaled until diffuse + specular <= 1.
-    s.brdf = BRDF_PHONG;
+    s.brdf = BRDF_BLINN_PHONG;
     s.f0 = hostColor(host.specular.rgb);
     vec3 sum = s.albedo + s.f0;
     float scale = 1.0 / max(1.0, max(sum.r, max(sum.g, sum.b)));

@@ -127,6 +127,12 @@ TEST_F(BadInput, SceneDescriptions)
         {start + ", \"materials\": {\"gold\": {\"brdf\": \"lambert\", \"diffuse\": [1, 2, 3]}}}",
          {"'materials.gold.diffuse'", "0..1"}},
         {start + ", \"materials\": {\"gold\": {\"brdf\": \"lambert\"}}}", {"gold", "no material"}},
+        {start + ", \"materials\": {\"gold\": {\"brdf\": \"cook-torrance\", \"normals\": \"phong\"}}}",
+         {"'materials.gold.normals'", "ggx", "beckmann", "phong"}},
+        {start + ", \"materials\": {\"gold\": {\"brdf\": \"strauss\", \"smoothness\": 1.5}}}",
+         {"'materials.gold.smoothness'", "0..1"}},
+        {start + ", \"materials\": {\"gold\": {\"brdf\": \"blinn-phong\", \"diffuse\": [1, 1, 1], \"specular\": [1, 1, 1]}}}",
+         {"'materials.gold'", "diffuse + specular"}},
         {start + ", \"lights\": [{}]}", {"'lights'"}},
     };
     folder.write("two.hdr", hdr(2, 1, std::string(8, '\x80')));

@@ -25,7 +25,7 @@ const std::vector<Defines> alternatives = {
     {"ACCUMULATED", "VIEW_TERM"},
     {"NO_TEXTURE", "TEXTURE_REPLACE", "TEXTURE_DECAL", "TEXTURE_BLEND", "TEXTURE_ADD"},
     {"TEXGEN_OBJECT", "TEXGEN_EYE"},
-    {"ENVLIGHT_LAMBERT", "ENVLIGHT_PHONG", "ENVLIGHT_COOK_TORRANCE"},
+    {"ENVLIGHT_LAMBERT", "ENVLIGHT_PHONG", "ENVLIGHT_COOK_TORRANCE", "ENVLIGHT_STRAUSS"},
 };
 
 // The first only with the second, in programs that import both.
@@ -52,11 +52,34 @@ void extend(const Defines& defines, size_t next, Defines& set, std::vector<Defin
     result.push_back(set);
 }
 
+// Lobes stand beside each other: a set has none, one or all of them.
+const Defines lobes = {"HAS_PHONG", "HAS_COOK_TORRANCE", "HAS_BLINN_PHONG", "HAS_BECKMANN", "HAS_STRAUSS"};
+
+std::vector<Defines> lobeSets(const Defines& defines)
+{
+    std::vector<Defines> result(1);
+    Defines all;
+    for (const std::string& lobe : lobes) {
+        if (!has(defines, lobe)) continue;
+        result.push_back({lobe});
+        all.push_back(lobe);
+    }
+    if (all.size() > 1) result.push_back(all);
+    return result;
+}
+
 std::vector<Defines> product(const Defines& defines)
 {
-    std::vector<Defines> result;
-    Defines set;
-    extend(defines, 0, set, result);
+    std::vector<Defines> others, result;
+    Defines rest, set;
+    for (const std::string& d : defines)
+        if (!has(lobes, d)) rest.push_back(d);
+    extend(rest, 0, set, others);
+    for (const Defines& lobe : lobeSets(defines))
+        for (Defines other : others) {
+            other.insert(other.end(), lobe.begin(), lobe.end());
+            result.push_back(other);
+        }
     return result;
 }
 
@@ -109,7 +132,8 @@ std::vector<Defines> reachableSets(const Defines& defines)
     if (frame.empty() || defines.size() < frame.size() + all.size()) return product(defines);
     std::vector<Defines> result = someSets(defines);
     for (const Defines& set : product(frame))
-        for (const char* kind : {"UNLIT", "PHONG_MATERIAL", "ENVLIGHT_LAMBERT", "ENVLIGHT_PHONG", "ENVLIGHT_COOK_TORRANCE"})
+        for (const char* kind :
+             {"UNLIT", "PHONG_MATERIAL", "ENVLIGHT_LAMBERT", "ENVLIGHT_PHONG", "ENVLIGHT_COOK_TORRANCE", "ENVLIGHT_STRAUSS"})
             for (const Defines& other : {Defines{kind}, Defines{kind, "HAS_SUN_MAPS"}}) {
                 result.push_back(set);
                 result.back().insert(result.back().end(), other.begin(), other.end());

@@ -35,6 +35,11 @@ std::vector<Row> lobeRows(unsigned seed)
     return rows;
 }
 
+glsl::Bsdf ggx(double alpha)
+{
+    return glsl::makeBsdf(BRDF_COOK_TORRANCE, vec3(1), std::sqrt(alpha), vec2(1, 0));
+}
+
 vec3 xyz(const vec4& v)
 {
     return vec3(v);
@@ -229,14 +234,16 @@ TEST(parity, sun)
     // Slopes are good to 1e-7, which the lobe's width and the ellipse's short axis (radius times the cosine) divide:
     // specular.md 3 found up to 9e-4.
     expectParity(
-        {"lib/sun.glsl"}, "result = vec4(ggxDisc(b.xyz, a.xyz, a.w, b.w), 0.0, 0.0, 0.0);", rows,
-        [](auto& in) { return vec4(glsl::ggxDisc(xyz(in[1]), xyz(in[0]), in[0].w, in[1].w), 0, 0, 0); },
+        {"lib/glint.glsl"},
+        "Bsdf lobe = makeBsdf(BRDF_COOK_TORRANCE, vec3(1.0), sqrt(a.w), vec2(1.0, 0.0));\n"
+        "result = vec4(microfacetDisc(lobe, b.xyz, a.xyz, b.w), 0.0, 0.0, 0.0);",
+        rows, [](auto& in) { return vec4(glsl::microfacetDisc(ggx(in[0].w), xyz(in[1]), xyz(in[0]), in[1].w), 0, 0, 0); },
         [](const std::vector<vec4>& in, double exact) {
             const double peak = std::min(in[1].w * in[1].w / (in[0].w * in[0].w), 1.0) / in[0].z;
             return 1e-3 * exact + (1e-5 + 1e-7 / (in[1].w * in[0].z)) * peak;
         });
     expectParity(
-        {"lib/sun.glsl"}, "result = vec4(phongDisc(vec3(-a.x, 0.0, a.z), b.xyz, 2.0 / (a.w * a.w), b.w), 0.0, 0.0, 0.0);", rows,
+        {"lib/glint.glsl"}, "result = vec4(phongDisc(vec3(-a.x, 0.0, a.z), b.xyz, 2.0 / (a.w * a.w), b.w), 0.0, 0.0, 0.0);", rows,
         [](auto& in) {
             return vec4(glsl::phongDisc(vec3(-in[0].x, 0.0, in[0].z), xyz(in[1]), 2.0 / (in[0].w * in[0].w), in[1].w), 0, 0, 0);
         },

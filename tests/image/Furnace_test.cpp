@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "Brdfs.h"
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Material;
 using osgEnvLight::Settings;
@@ -60,15 +62,17 @@ TEST(Furnace, LambertShowsItsAlbedoFromAnyConstantMap)
 TEST(Furnace, WhiteMetalReflectsEverythingAtAnyRoughness)
 {
     SceneRenderer renderer(96, 96);
-    for (double roughness : {0.0, 0.1, 0.3, 0.6, 1.0}) {
-        osg::ref_ptr<LitScene> lit = furnace(2.0);
-        osg::ref_ptr<osg::Geode> sphere = makeSphere(osg::Vec3d(), 1.0);
-        Material::setCookTorrance(*sphere->getOrCreateStateSet(), osg::Vec3f(1, 1, 1), 1.0f, float(roughness));
-        lit->addChild(sphere);
-        // single + multiple scattering sum to 1 by construction; half floats of the map leave .05 %. At the rim the lights that a
-        // rough lobe asks graze the facets, and the shadow maps keep a few thousandths of it: .26 %; without them .05 %.
-        EXPECT_LT(worstDeviation(renderer.render(lit), 2.0), 0.003) << "roughness " << roughness;
-    }
+    for (const Material::Brdf brdf : {Material::COOK_TORRANCE, Material::BECKMANN, Material::BLINN_PHONG})
+        for (double roughness : {0.0, 0.1, 0.3, 0.6, 1.0}) {
+            osg::ref_ptr<LitScene> lit = furnace(2.0);
+            osg::ref_ptr<osg::Geode> sphere = makeSphere(osg::Vec3d(), 1.0);
+            setLobe(*sphere->getOrCreateStateSet(), brdf, osg::Vec3f(1, 1, 1), float(roughness));
+            lit->addChild(sphere);
+            // single + multiple scattering sum to 1 by construction; half floats of the map leave .05 %. At the rim the lights
+            // that a rough lobe asks graze the facets, and the shadow maps keep a few thousandths of it: .26 %; without them .05
+            // %.
+            EXPECT_LT(worstDeviation(renderer.render(lit), 2.0), 0.003) << brdf << ", roughness " << roughness;
+        }
 }
 
 TEST(Furnace, DielectricReturnsAllThatItsWhiteBaseReceives)

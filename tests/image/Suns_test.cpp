@@ -6,6 +6,8 @@
 
 #include <SceneRenderer.h>
 
+#include "Brdfs.h"
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Material;
 using osgEnvLight::Settings;
@@ -74,14 +76,10 @@ TEST(Suns, ACoarseRoundBodyDoesNotShadeItsOwnTerminator)
 
 TEST(Suns, GlossyAgreesWithTheWholeMap)
 {
-    for (bool phong : {false, true}) {
+    for (const Material::Brdf brdf : lobedBrdfs) {
         SceneRenderer renderer(96, 96);
         osg::ref_ptr<LitScene> lit = sphere(sunnySky().get());
-        osg::StateSet& state = *lit->getChild(0)->getOrCreateStateSet();
-        if (phong)
-            Material::setPhong(state, osg::Vec3f(0, 0, 0), osg::Vec3f(0.5f, 0.5f, 0.5f), 40.0f);
-        else
-            Material::setCookTorrance(state, osg::Vec3f(0.9f, 0.9f, 0.9f), 1.0f, 0.45f);
+        setLobe(*lit->getChild(0)->getOrCreateStateSet(), brdf, osg::Vec3f(0.9f, 0.9f, 0.9f), 0.45f);
         lit->getSettings()->specularSamples = 1024;
         const Picture whole = renderer.render(lit, 2);
         lit->getSettings()->suns = Settings::SUNS_AUTO;
@@ -92,8 +90,8 @@ TEST(Suns, GlossyAgreesWithTheWholeMap)
             for (int x = 0; x < 96; ++x) level = std::max(level, whole.color(x, y)[1]);
         ASSERT_GT(level, 1.0);  // the sun's highlight
         // 1024 samples a pixel of a lobe 20 times as wide as the sun, each as wide as its share of it.
-        EXPECT_LT(rootMeanSquare(whole, split), 0.01 * level) << phong;
-        EXPECT_LT(largestDifference(whole, split), 0.06 * level) << phong;
+        EXPECT_LT(rootMeanSquare(whole, split), 0.01 * level) << brdf;
+        EXPECT_LT(largestDifference(whole, split), 0.06 * level) << brdf;
     }
 }
 

@@ -308,6 +308,10 @@ TEST_F(SameScene, OurMaterials)
     Material::setPhong(*b->getOrCreateStateSet(), osg::Vec3f(0.3f, 0.4f, 0.1f), osg::Vec3f(0.3f, 0.2f, 0.1f), 50.0f);
     Material::setCookTorrance(*c->getOrCreateStateSet(), osg::Vec3f(0.7f, 0.5f, 0.2f), 0.4f, 0.3f);
     expectSame(together({a, b, c}), "three models");
+    Material::setStrauss(*a->getOrCreateStateSet(), osg::Vec3f(0.2f, 0.4f, 0.6f), 0.6f, 0.3f);
+    Material::setBlinnPhong(*b->getOrCreateStateSet(), osg::Vec3f(0.3f, 0.4f, 0.1f), osg::Vec3f(0.3f, 0.2f, 0.1f), 50.0f);
+    Material::setCookTorrance(*c->getOrCreateStateSet(), osg::Vec3f(0.7f, 0.5f, 0.2f), 0.4f, 0.3f, Material::BECKMANN_NORMALS);
+    expectSame(together({a, b, c}), "three more");
 }
 
 TEST_F(SameScene, NodesThatDependOnTheView)

@@ -121,6 +121,21 @@ osg::ref_ptr<osg::Node> phongBall()
     return sphere;
 }
 
+osg::ref_ptr<osg::Node> straussBall()
+{
+    osg::ref_ptr<osg::Geode> sphere = makeSphere(osg::Vec3d(-1.1, 0, 1), 1.0, 48);
+    Material::setStrauss(*sphere->getOrCreateStateSet(), osg::Vec3f(0.5f, 0.3f, 0.2f), 0.7f, 0.4f);
+    return sphere;
+}
+
+osg::ref_ptr<osg::Node> beckmannBall()
+{
+    osg::ref_ptr<osg::Geode> sphere = makeSphere(osg::Vec3d(1.1, 0, 1), 1.0, 48);
+    Material::setCookTorrance(*sphere->getOrCreateStateSet(), osg::Vec3f(0.6f, 0.4f, 0.2f), 0.3f, 0.4f,
+                              Material::BECKMANN_NORMALS);
+    return sphere;
+}
+
 }  // namespace
 
 std::vector<TestScene> testScenes()
@@ -135,5 +150,6 @@ std::vector<TestScene> testScenes()
             {"interior", interior(), osg::Vec3d(1.5, -1.8, 1.2), middle},
             {"boxes", together({plane(), boxes()}), eye, middle},
             {"bars", together({plane(), bars()}), eye, middle},
-            {"corner", corner(), eye, middle}};
+            {"corner", corner(), eye, middle},
+            {"strauss and beckmann", together({plane(), straussBall(), beckmannBall()}), eye, middle}};
 }

@@ -129,7 +129,9 @@ std::vector<glm::vec4> GlContext::evaluate(const std::vector<std::string>& files
     const int width = 64;
     const int height = int((count + 63) / 64);
     // Every BRDF, as in glsl.h.
-    std::string text = "#version 330 compatibility\n#define HAS_PHONG\n#define HAS_COOK_TORRANCE\n";
+    std::string text =
+        "#version 330 compatibility\n#define HAS_PHONG\n#define HAS_COOK_TORRANCE\n"
+        "#define HAS_BLINN_PHONG\n#define HAS_BECKMANN\n#define HAS_STRAUSS\n";
     for (const std::string& file : files) text += library->expand(file).text;
     std::string fetches;
     std::vector<Texture> all = textures;

@@ -75,7 +75,9 @@ try {
             c, [&] { node.osg::Group::traverse(cv); }, forward);
     } else {
         node.osg::Group::traverse(cv);
-        c.facts.surfaces = {true, true, 1, 0};
+        c.facts.surfaces = SurfaceKinds();
+        c.facts.surfaces.lobes = ~0u;  // any
+        c.facts.surfaces.deferred = 1;
     }
     chooseBackground(c, forward);
     findLights(c, vd, forward, [&](const std::string& message) {
@@ -326,6 +328,7 @@ osg::Texture* DeferredTechnique::albedoTable()
 {
     if (!_albedoTable) {
         _albedoTable = new osg::Texture2D(albedoTableImage());
+        _albedoTable->setResizeNonPowerOfTwoHint(false);
         _albedoTable->setInternalFormat(GL_RG32F);
         _albedoTable->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR);
         _albedoTable->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);

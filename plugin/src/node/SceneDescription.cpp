@@ -54,23 +54,33 @@ MaterialDescription readMaterial(const Value& v, const std::string& name)
     if (brdf == "lambert") {
         v.object({"brdf", "diffuse"}, "a material");
         m.brdf = Material::LAMBERT;
-    } else if (brdf == "phong") {
+    } else if (brdf == "phong" || brdf == "blinn-phong") {
         v.object({"brdf", "diffuse", "specular", "exponent"}, "a material");
-        m.brdf = Material::PHONG;
+        m.brdf = brdf == "phong" ? Material::PHONG : Material::BLINN_PHONG;
     } else if (brdf == "cook-torrance") {
-        v.object({"brdf", "baseColor", "metalness", "roughness"}, "a material");
+        v.object({"brdf", "baseColor", "metalness", "roughness", "normals"}, "a material");
         m.brdf = Material::COOK_TORRANCE;
+    } else if (brdf == "strauss") {
+        v.object({"brdf", "baseColor", "metalness", "smoothness"}, "a material");
+        m.brdf = Material::STRAUSS;
     } else {
-        v.fail("an object whose brdf is \"lambert\", \"phong\" or \"cook-torrance\"");
+        v.fail("an object whose brdf is \"lambert\", \"phong\", \"blinn-phong\", \"cook-torrance\" or \"strauss\"");
+    }
+    if (v.has("normals")) {
+        const std::string normals = v["normals"].string();
+        if (normals != "ggx" && normals != "beckmann") v["normals"].fail("\"ggx\" or \"beckmann\"");
+        if (normals == "beckmann") m.brdf = Material::BECKMANN;
     }
     if (v.has("diffuse")) m.diffuse = color(v["diffuse"]);
     if (v.has("specular")) m.specular = color(v["specular"]);
     if (v.has("exponent")) m.exponent = float(v["exponent"].number(0, 1e6, "an exponent in 0..1000000"));
     if (v.has("baseColor")) m.baseColor = color(v["baseColor"]);
     if (v.has("metalness")) m.metalness = float(v["metalness"].number(0, 1, "a number in 0..1"));
+    if (v.has("smoothness")) m.smoothness = float(v["smoothness"].number(0, 1, "a number in 0..1"));
     if (v.has("roughness")) m.roughness = float(v["roughness"].number(0, 1, "a number in 0..1"));
     for (int i = 0; i < 3; ++i)
-        if (m.brdf == Material::PHONG && m.diffuse[i] + m.specular[i] > 1.0f + 1e-6f) v.fail("diffuse + specular <= 1");
+        if ((m.brdf == Material::PHONG || m.brdf == Material::BLINN_PHONG) && m.diffuse[i] + m.specular[i] > 1.0f + 1e-6f)
+            v.fail("diffuse + specular <= 1");
     return m;
 }
 
@@ -167,7 +177,11 @@ class MaterialVisitor : public osg::NodeVisitor
         const MaterialDescription& m = _materials[i];
         if (m.brdf == Material::LAMBERT) Material::setLambert(s, m.diffuse);
         if (m.brdf == Material::PHONG) Material::setPhong(s, m.diffuse, m.specular, m.exponent);
+        if (m.brdf == Material::BLINN_PHONG) Material::setBlinnPhong(s, m.diffuse, m.specular, m.exponent);
         if (m.brdf == Material::COOK_TORRANCE) Material::setCookTorrance(s, m.baseColor, m.metalness, m.roughness);
+        if (m.brdf == Material::BECKMANN)
+            Material::setCookTorrance(s, m.baseColor, m.metalness, m.roughness, Material::BECKMANN_NORMALS);
+        if (m.brdf == Material::STRAUSS) Material::setStrauss(s, m.baseColor, m.smoothness, m.metalness);
     }
 
     const std::vector<MaterialDescription>& _materials;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "passes/Inputs.h"
 
+#include <osgEnvLight/Material>
+
 #include "base/Limits.h"
 
 namespace osgEnvLight
@@ -16,12 +18,20 @@ void drawSurfaces(PassBuilder& b)
     b.drawMarked(b.find("pixel marks"), limits::MARK_SURFACE);
 }
 
+void defineLobes(PassBuilder& b, unsigned lobes)
+{
+    b.define("HAS_PHONG", lobes >> Material::PHONG & 1);
+    b.define("HAS_COOK_TORRANCE", lobes >> Material::COOK_TORRANCE & 1);
+    b.define("HAS_BLINN_PHONG", lobes >> Material::BLINN_PHONG & 1);
+    b.define("HAS_BECKMANN", lobes >> Material::BECKMANN & 1);
+    b.define("HAS_STRAUSS", lobes >> Material::STRAUSS & 1);
+}
+
 void readLobes(PassBuilder& b, const FrameContext& c)
 {
-    b.define("HAS_PHONG", c.facts.surfaces.phong);
-    if (!c.facts.surfaces.cookTorrance) return;
-    b.define("HAS_COOK_TORRANCE");
-    b.bind(c.albedoTable, "albedoTable");
+    defineLobes(b, c.facts.surfaces.lobes);
+    const unsigned microfacets = 1u << Material::COOK_TORRANCE | 1u << Material::BLINN_PHONG | 1u << Material::BECKMANN;
+    if (c.facts.surfaces.lobes & microfacets) b.bind(c.albedoTable, "albedoTable");
 }
 
 void readIrradiance(PassBuilder& b, FrameContext& c)

@@ -31,7 +31,10 @@ namespace osgEnvLight
 TextureDesc ofFirstFrame(const FrameContext& context, GLint format, int side = 0);
 /** Draw the pixels that show a surface. */
 void drawSurfaces(PassBuilder& builder);
-/** HAS_PHONG, HAS_COOK_TORRANCE: the BRDFs that are in view. */
+/** HAS_PHONG, HAS_COOK_TORRANCE and so on: the lobes of these bits [SurfaceKinds]. */
+void defineLobes(PassBuilder& b, unsigned lobes);
+
+/** Those that are in view, with their albedo. */
 void readLobes(PassBuilder& builder, const FrameContext& context);
 /** What pass/irradiance.glsl reads: nothing where the map gives no diffuse light. */
 void readIrradiance(PassBuilder& builder, FrameContext& context);

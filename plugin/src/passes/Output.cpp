@@ -108,9 +108,7 @@ void ForwardPass::setup(PassBuilder& b, FrameContext& c)
         b.bind(c.textures.pyramid(), "pyramidMap");
     }
     b.bind(c.albedoTable, "albedoTable");
-    // A variant knows its BRDF: the compiler drops the other.
-    b.define("HAS_PHONG");
-    b.define("HAS_COOK_TORRANCE");
+    defineLobes(b, c.facts.surfaces.forwardLobes);
     b.define("OUTPUT_LINEAR", c.settings.output == Settings::LINEAR);
     if (c.decisions.suns.needed) {
         b.define("HAS_SUNS");

@@ -2,6 +2,8 @@
 #include "surface/AlbedoTable.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 #include "glsl.h"
 
@@ -11,14 +13,17 @@ namespace osgEnvLight
 namespace
 {
 
-const unsigned tableSize = 32;
+const int tableSize = 32;
+const int distributions[] = {BRDF_COOK_TORRANCE, BRDF_BECKMANN, BRDF_BLINN_PHONG};  // in the order of pass/albedo.glsl
 
-// By the visible normals' own distribution, whose weight G2/G1 is bounded: 1024 points leave less than 1e-3.
-glsl::vec2 albedo(double roughness, double cosV)
+// By GGX's visible normals, by which the weights of all are bounded: 1024 points leave less than 1e-3.
+glsl::vec2 albedo(int brdf, double roughness, double cosV)
 {
-    const double alpha = std::max(roughness * roughness, 1e-4);
+    const double r = std::max(roughness, 0.01);
+    const double alpha = r * r;
     const double mu = std::max(cosV, 1e-4);
     const glsl::vec3 v(std::sqrt(std::max(0.0, 1.0 - mu * mu)), 0.0, mu);
+    const glsl::Bsdf b = glsl::makeBsdf(brdf, glsl::vec3(0.0), r, glsl::vec2(1.0, 0.0));
     const glsl::uint count = 1024;
     glsl::vec2 sum(0.0);
     for (glsl::uint i = 0; i < count; ++i) {
@@ -26,7 +31,9 @@ glsl::vec2 albedo(double roughness, double cosV)
         const double c = glsl::dot(v, h);
         const glsl::vec3 l = 2.0 * c * h - v;
         if (l.z <= 0.0) continue;
-        const double w = glsl::ggxG2OverG1(v.z, l.z, alpha);
+        const double w = brdf == BRDF_COOK_TORRANCE
+                             ? glsl::ggxG2OverG1(v.z, l.z, alpha)
+                             : glsl::bsdfMicrofacets(b, v, l, h) * l.z / glsl::ggxReflectionPdf(v, h, alpha);
         const double f90 = glsl::fresnelSchlick(glsl::vec3(0.0), c).x;
         sum += glsl::vec2(w * (1.0 - f90), w * f90);
     }
@@ -36,13 +43,14 @@ glsl::vec2 albedo(double roughness, double cosV)
 osg::ref_ptr<osg::Image> makeTable()
 {
     osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->allocateImage(int(tableSize), int(tableSize), 1, GL_RG, GL_FLOAT);
+    const int blocks = int(std::size(distributions));
+    image->allocateImage(blocks * tableSize, tableSize, 1, GL_RG, GL_FLOAT);
     image->setInternalTextureFormat(GL_RG32F);
-    for (unsigned y = 0; y < tableSize; ++y)
-        for (unsigned x = 0; x < tableSize; ++x) {
+    for (int y = 0; y < tableSize; ++y)
+        for (int x = 0; x < blocks * tableSize; ++x) {
             const double rootMu = double(y) / (tableSize - 1);
-            const glsl::vec2 a = albedo(double(x) / (tableSize - 1), rootMu * rootMu);
-            float* out = reinterpret_cast<float*>(image->data(x, y));
+            const glsl::vec2 a = albedo(distributions[x / tableSize], double(x % tableSize) / (tableSize - 1), rootMu * rootMu);
+            float* out = reinterpret_cast<float*>(image->data(unsigned(x), unsigned(y)));
             out[0] = float(a.x);
             out[1] = float(a.y);
         }

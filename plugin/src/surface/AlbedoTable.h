@@ -8,9 +8,10 @@
 namespace osgEnvLight
 {
 
-/** Directional albedo of the GGX lobe with Schlick's Fresnel: A F0 + B in the red and green of a 32 x 32 RG 32F texture
- * over (roughness, sqrt(cos of the view angle)), both from 0 to 1 at texel centres. Bilinear error <= .4 %
- * (specular.md 7). Made at the first call and shared from then on.*/
+/** Directional albedo of the lobes of microfacets, of one bounce, with Schlick's Fresnel: A F0 + B in the red and green of an RG
+ * 32F texture, 32 x 32 over (roughness, sqrt(cos of the view angle)), both from 0 to 1 at texel centres, for GGX; beside it the
+ * same for Beckmann's and for Blinn's distribution. Bilinear error <= .4 % (specular.md 7). Made at the first call and shared
+ * from then on.*/
 OSGENVLIGHT_EXPORT osg::ref_ptr<osg::Image> albedoTableImage();
 
 }  // namespace osgEnvLight

@@ -44,12 +44,27 @@ void Material::setPhong(osg::StateSet& stateSet, const osg::Vec3f& diffuse, cons
     setUniform(stateSet, "envlightExponent", exponent);
 }
 
-void Material::setCookTorrance(osg::StateSet& stateSet, const osg::Vec3f& baseColor, float metalness, float roughness)
+void Material::setBlinnPhong(osg::StateSet& stateSet, const osg::Vec3f& diffuse, const osg::Vec3f& specular, float exponent)
 {
-    setUniform(stateSet, brdfUniform, int(COOK_TORRANCE));
+    setPhong(stateSet, diffuse, specular, exponent);
+    setUniform(stateSet, brdfUniform, int(BLINN_PHONG));
+}
+
+void Material::setCookTorrance(osg::StateSet& stateSet, const osg::Vec3f& baseColor, float metalness, float roughness,
+                               Distribution normals)
+{
+    setUniform(stateSet, brdfUniform, int(normals == BECKMANN_NORMALS ? BECKMANN : COOK_TORRANCE));
     setUniform(stateSet, "envlightBaseColor", baseColor);
     setUniform(stateSet, "envlightMetalness", metalness);
     setUniform(stateSet, "envlightRoughness", roughness);
+}
+
+void Material::setStrauss(osg::StateSet& stateSet, const osg::Vec3f& color, float smoothness, float metalness)
+{
+    setUniform(stateSet, brdfUniform, int(STRAUSS));
+    setUniform(stateSet, "envlightBaseColor", color);
+    setUniform(stateSet, "envlightMetalness", metalness);
+    setUniform(stateSet, "envlightSmoothness", smoothness);
 }
 
 void Material::setNormalMap(osg::StateSet& stateSet, osg::Texture2D* map, float scale, bool topIsZero, int set, unsigned unit)
@@ -74,7 +89,7 @@ int Material::brdfOf(const osg::StateSet& stateSet, int inherited)
 {
     const osg::Uniform* uniform = stateSet.getUniform(brdfUniform);
     int brdf = inherited;
-    return uniform && uniform->get(brdf) && brdf >= LAMBERT && brdf <= COOK_TORRANCE ? brdf : inherited;
+    return uniform && uniform->get(brdf) && brdf >= LAMBERT && brdf <= STRAUSS ? brdf : inherited;
 }
 
 }  // namespace osgEnvLight

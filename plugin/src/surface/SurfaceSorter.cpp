@@ -111,6 +111,31 @@ class SurfaceSort
         return bits | (facts.linear ? S::LINEAR_TEXTURE : 0u) | (facts.alphaOnly ? S::ALPHA_TEXTURE : 0u);
     }
 
+    // The parameters that a BRDF of ours has; its uniform says which of those it is.
+    static unsigned ownBits(int brdf)
+    {
+        switch (brdf) {
+            case Material::PHONG:
+            case Material::BLINN_PHONG:
+                return SurfaceSorter::ENVLIGHT_PHONG;
+            case Material::COOK_TORRANCE:
+            case Material::BECKMANN:
+                return SurfaceSorter::ENVLIGHT_COOK_TORRANCE;
+            case Material::STRAUSS:
+                return SurfaceSorter::ENVLIGHT_STRAUSS;
+            default:
+                return SurfaceSorter::ENVLIGHT_LAMBERT;
+        }
+    }
+
+    // The bit of the lobe of a surface, if it has one.
+    static unsigned lobeBit(const SurfaceState& state)
+    {
+        if (state.brdf() >= 0) return state.brdf() == Material::LAMBERT ? 0u : 1u << state.brdf();
+        if (state.paintedReflection()) return 1u << Material::COOK_TORRANCE;
+        return state.phongMaterial() ? 1u << Material::BLINN_PHONG : 0u;
+    }
+
     static unsigned variantBits(const SurfaceState& state)
     {
         using S = SurfaceSorter;
@@ -122,7 +147,7 @@ class SurfaceSort
         if (state.phongMaterial()) bits |= S::PHONG_MATERIAL;
         if (state.twoSided()) bits |= S::TWO_SIDED;
         if (state.clipped()) bits |= S::CLIP_PLANES;
-        if (state.brdf() >= 0) bits |= unsigned(S::ENVLIGHT_LAMBERT) << state.brdf();
+        if (state.brdf() >= 0) bits |= ownBits(state.brdf());
         for (unsigned map = 0; map < 3; ++map)
             if (state.mapped(map)) bits |= unsigned(S::NORMAL_MAP) << map;
         if (state.brdf() >= 0 && state.emits()) bits |= S::ENVLIGHT_EMISSION;
@@ -137,7 +162,9 @@ class SurfaceSort
         const bool foreign = leaf._projection.get() != _places.projection;
         if (!foreign && !blends && !state.drawnForward(geometry)) return keep(leaf, sg, state, all, kept);
         const char* unsupported = foreign ? nullptr : state.unsupported(geometry);
-        moveForward(leaf, sg, all, !foreign && !unsupported && state.litForward(), to);
+        const bool lit = !foreign && !unsupported && state.litForward();
+        if (lit) kinds.forwardLobes |= lobeBit(state);
+        moveForward(leaf, sg, all, lit, to);
         if (unsupported) _sorter.say(unsupported, "drawn as without the node, not lit by the environment", leaf._drawable);
     }
 
@@ -145,9 +172,7 @@ class SurfaceSort
     void keep(osgUtil::RenderLeaf& leaf, osgUtil::StateGraph* sg, const SurfaceState& state, unsigned bits,
               osgUtil::RenderBin::StateGraphList& kept)
     {
-        if ((bits & SurfaceSorter::PHONG_MATERIAL) || state.brdf() == Material::PHONG) kinds.phong = true;
-        const bool metal = (bits & SurfaceSorter::PAINTED_REFLECTION) && state.brdf() < 0;
-        if (metal || state.brdf() == Material::COOK_TORRANCE) kinds.cookTorrance = true;
+        kinds.lobes |= lobeBit(state);
         ++kinds.deferred;
         osgUtil::StateGraph* n = sg->find_or_insert(_sorter.variant(bits));
         if (n->leaves_empty()) kept.push_back(n);
@@ -176,12 +201,13 @@ class SurfaceSort
 
 const osg::StateSet* SurfaceSorter::variant(unsigned bits)
 {
-    static const char* const defines[] = {"NO_TEXTURE",       "LINEAR_TEXTURE",   "TEXTURE_REPLACE",       "TEXTURE_DECAL",
-                                          "TEXTURE_BLEND",    "TEXTURE_ADD",      "ALPHA_TEXTURE",         "TEXGEN_OBJECT",
-                                          "TEXGEN_EYE",       "TEXGEN_PROJECTED", "PAINTED_REFLECTION",    "UNLIT",
-                                          "VERTEX_COLOR",     "FACE_NORMAL",      "PHONG_MATERIAL",        "TWO_SIDED",
+    static const char* const defines[] = {"NO_TEXTURE",       "LINEAR_TEXTURE",   "TEXTURE_REPLACE",        "TEXTURE_DECAL",
+                                          "TEXTURE_BLEND",    "TEXTURE_ADD",      "ALPHA_TEXTURE",          "TEXGEN_OBJECT",
+                                          "TEXGEN_EYE",       "TEXGEN_PROJECTED", "PAINTED_REFLECTION",     "UNLIT",
+                                          "VERTEX_COLOR",     "FACE_NORMAL",      "PHONG_MATERIAL",         "TWO_SIDED",
                                           "ENVLIGHT_LAMBERT", "ENVLIGHT_PHONG",   "ENVLIGHT_COOK_TORRANCE", "CLIP_PLANES",
-                                          "NORMAL_MAP",       "METAL_ROUGH_MAP",  "EMISSION_MAP",          "ENVLIGHT_EMISSION"};
+                                          "NORMAL_MAP",       "METAL_ROUGH_MAP",  "EMISSION_MAP",           "ENVLIGHT_EMISSION",
+                                          "ENVLIGHT_STRAUSS"};
     std::lock_guard<std::mutex> lock(_mutex);
     osg::ref_ptr<osg::StateSet>& stateSet = _variants[bits];
     if (!stateSet) {

@@ -82,7 +82,8 @@ class OSGENVLIGHT_EXPORT SurfaceSorter : public osg::Referenced
         NORMAL_MAP = 1u << 20,
         METAL_ROUGH_MAP = 1u << 21,
         EMISSION_MAP = 1u << 22,
-        ENVLIGHT_EMISSION = 1u << 23
+        ENVLIGHT_EMISSION = 1u << 23,
+        ENVLIGHT_STRAUSS = 1u << 24
     };
     const osg::StateSet* variant(unsigned bits);
     void say(const char* what, const char* how, const osg::Drawable* drawable);

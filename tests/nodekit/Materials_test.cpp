@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Materials of scene descriptions on the models they name.
+#include <Pictures.h>
+#include <SceneRenderer.h>
+
+#include <osgEnvLight/Material>
+#include <osgEnvLight/SceneDescription>
+
+#include <osg/Material>
+#include <osgDB/WriteFile>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+using osgEnvLight::LitScene;
+using osgEnvLight::Material;
+
+namespace
+{
+
+// A model of geodes with an osg::Material of each name, and the scene that gives them others.
+class Materials : public testing::Test
+{
+  protected:
+    void SetUp() override { std::filesystem::create_directories(_folder); }
+    void TearDown() override { std::filesystem::remove_all(_folder); }
+
+    osg::ref_ptr<LitScene> build(const std::vector<std::string>& names, const std::string& materials)
+    {
+        osg::ref_ptr<osg::Group> model = new osg::Group;
+        for (const std::string& name : names) {
+            const osg::ref_ptr<osg::Geode> geode = makeSphere(osg::Vec3d(), 1.0);
+            osg::ref_ptr<osg::Material> material = new osg::Material;
+            material->setName(name);
+            geode->getOrCreateStateSet()->setAttribute(material);
+            model->addChild(geode);
+        }
+        EXPECT_TRUE(osgDB::writeNodeFile(*model, (_folder / "model.osgb").string()));
+        const std::string file = (_folder / "scene.envlight").string();
+        std::ofstream(file) << "{\"model\": \"model.osgb\", \"environment\": {\"map\": \"studio\"}, \"materials\": " << materials
+                            << "}";
+        osgEnvLight::SceneDescription description;
+        error.clear();
+        if (!description.readFile(file, nullptr, error)) return nullptr;
+        return description.build(nullptr, error);
+    }
+
+    // Of the geode of that number.
+    static const osg::StateSet& stateSet(const LitScene& lit, unsigned i)
+    {
+        return *lit.getChild(0)->asGroup()->getChild(i)->getStateSet();
+    }
+
+    static float number(const osg::StateSet& s, const char* name)
+    {
+        float value = -1.0f;
+        if (const osg::Uniform* u = s.getUniform(name)) u->get(value);
+        return value;
+    }
+
+    std::string error;
+
+  private:
+    const std::filesystem::path _folder =
+        std::filesystem::temp_directory_path() / ("envlight_materials_" + std::to_string(getpid()));
+};
+
+}  // namespace
+
+TEST_F(Materials, EveryBrdfByItsName)
+{
+    const osg::ref_ptr<LitScene> lit =
+        build({"a", "b", "c", "d", "e", "f"}, R"({"a": {"brdf": "lambert"}, "b": {"brdf": "phong", "exponent": 20},
+            "c": {"brdf": "blinn-phong", "exponent": 30}, "d": {"brdf": "cook-torrance", "roughness": 0.25},
+            "e": {"brdf": "cook-torrance", "normals": "beckmann", "roughness": 0.75}, "f": {"brdf": "strauss", "smoothness": 0.125}})");
+    ASSERT_TRUE(lit) << error;
+    const int expected[] = {Material::LAMBERT,       Material::PHONG,    Material::BLINN_PHONG,
+                            Material::COOK_TORRANCE, Material::BECKMANN, Material::STRAUSS};
+    for (unsigned i = 0; i < 6; ++i) EXPECT_EQ(expected[i], Material::brdfOf(stateSet(*lit, i), -1)) << i;
+    EXPECT_EQ(20.0f, number(stateSet(*lit, 1), "envlightExponent"));
+    EXPECT_EQ(30.0f, number(stateSet(*lit, 2), "envlightExponent"));
+    EXPECT_EQ(0.25f, number(stateSet(*lit, 3), "envlightRoughness"));
+    EXPECT_EQ(0.75f, number(stateSet(*lit, 4), "envlightRoughness"));
+    EXPECT_EQ(0.125f, number(stateSet(*lit, 5), "envlightSmoothness"));
+}
