@@ -85,3 +85,23 @@ TEST_F(Materials, EveryBrdfByItsName)
     EXPECT_EQ(0.75f, number(stateSet(*lit, 4), "envlightRoughness"));
     EXPECT_EQ(0.125f, number(stateSet(*lit, 5), "envlightSmoothness"));
 }
+
+TEST_F(Materials, PatternsGiveWayToLongerNames)
+{
+    const osg::ref_ptr<LitScene> lit = build({"wheel_front", "wheel_back", "wheel", "body", "w[1]*"}, R"({
+        "*": {"brdf": "lambert"}, "wheel*": {"brdf": "phong"}, "*_back": {"brdf": "strauss"}, "wheel_b*k": {"brdf": "blinn-phong"},
+        "w[1]*": {"brdf": "cook-torrance"}})");
+    ASSERT_TRUE(lit) << error;
+    EXPECT_EQ(Material::PHONG, Material::brdfOf(stateSet(*lit, 0), -1));
+    EXPECT_EQ(Material::BLINN_PHONG, Material::brdfOf(stateSet(*lit, 1), -1));
+    EXPECT_EQ(Material::PHONG, Material::brdfOf(stateSet(*lit, 2), -1));
+    EXPECT_EQ(Material::LAMBERT, Material::brdfOf(stateSet(*lit, 3), -1));
+    EXPECT_EQ(Material::COOK_TORRANCE, Material::brdfOf(stateSet(*lit, 4), -1));
+}
+
+TEST_F(Materials, APatternThatNothingMatchesIsAnError)
+{
+    EXPECT_FALSE(build({"wheel", "body"}, R"({"wheel*x": {"brdf": "lambert"}})"));
+    EXPECT_NE(std::string::npos, error.find("'materials.wheel*x'")) << error;
+    EXPECT_NE(std::string::npos, error.find("'body' 'wheel'")) << error;
+}

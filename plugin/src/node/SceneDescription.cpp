@@ -8,6 +8,7 @@
 #include <osgDB/FileUtils>
 #include <osgDB/fstream>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <stdexcept>
@@ -133,6 +134,32 @@ void readModels(const Value& v, SceneDescription& scene)
     if (scene.models.empty()) v.fail("\"model\": \"file\" or \"models\": [\"file\", ...]");
 }
 
+// * stands for any text, or none.
+bool matches(const std::string& pattern, const std::string& name)
+{
+    size_t p = 0, n = 0, star = std::string::npos, from = 0;
+    while (n < name.size()) {
+        if (p < pattern.size() && pattern[p] == '*') {
+            star = p++;
+            from = n;
+        } else if (p < pattern.size() && pattern[p] == name[n]) {
+            ++p;
+            ++n;
+        } else if (star != std::string::npos) {
+            p = star + 1;
+            n = ++from;
+        } else {
+            return false;
+        }
+    }
+    return pattern.find_first_not_of('*', p) == std::string::npos;
+}
+
+size_t literals(const std::string& pattern)
+{
+    return pattern.size() - size_t(std::count(pattern.begin(), pattern.end(), '*'));
+}
+
 // Puts materials on the state sets whose osg::Material, or on the nodes whose own name, they are for.
 class MaterialVisitor : public osg::NodeVisitor
 {
@@ -145,8 +172,8 @@ class MaterialVisitor : public osg::NodeVisitor
 
     void apply(osg::Node& node) override
     {
-        for (size_t i = 0; i < _materials.size(); ++i)
-            if (!node.getName().empty() && node.getName() == _materials[i].name) set(*node.getOrCreateStateSet(), i);
+        const int own = node.getName().empty() ? -1 : find(node.getName());
+        if (own >= 0) set(*node.getOrCreateStateSet(), size_t(own));
         if (osg::StateSet* s = node.getStateSet()) visit(*s);
         traverse(node);
     }
@@ -167,13 +194,24 @@ class MaterialVisitor : public osg::NodeVisitor
         const osg::StateAttribute* m = s.getAttribute(osg::StateAttribute::MATERIAL);
         if (!m || m->getName().empty()) return;
         names.insert(m->getName());
-        for (size_t i = 0; i < _materials.size(); ++i)
-            if (m->getName() == _materials[i].name) set(s, i);
+        const int i = find(m->getName());
+        if (i >= 0) set(s, size_t(i));
+    }
+
+    // Of all that match the one with the most letters, so that names go before patterns; all of them count as found.
+    int find(const std::string& name)
+    {
+        int best = -1;
+        for (size_t i = 0; i < _materials.size(); ++i) {
+            if (!matches(_materials[i].name, name)) continue;
+            _found[i] = true;
+            if (best < 0 || literals(_materials[i].name) > literals(_materials[size_t(best)].name)) best = int(i);
+        }
+        return best;
     }
 
     void set(osg::StateSet& s, size_t i)
     {
-        _found[i] = true;
         const MaterialDescription& m = _materials[i];
         if (m.brdf == Material::LAMBERT) Material::setLambert(s, m.diffuse);
         if (m.brdf == Material::PHONG) Material::setPhong(s, m.diffuse, m.specular, m.exponent);
