@@ -52,33 +52,53 @@ void extend(const Defines& defines, size_t next, Defines& set, std::vector<Defin
     result.push_back(set);
 }
 
-// Lobes stand beside each other: a set has none, one or all of them.
+// Lobes stand beside each other: a product has none or all of them; someSets() has each, and all pairs.
 const Defines lobes = {"HAS_PHONG", "HAS_COOK_TORRANCE", "HAS_BLINN_PHONG", "HAS_BECKMANN", "HAS_STRAUSS"};
-
-std::vector<Defines> lobeSets(const Defines& defines)
-{
-    std::vector<Defines> result(1);
-    Defines all;
-    for (const std::string& lobe : lobes) {
-        if (!has(defines, lobe)) continue;
-        result.push_back({lobe});
-        all.push_back(lobe);
-    }
-    if (all.size() > 1) result.push_back(all);
-    return result;
-}
 
 std::vector<Defines> product(const Defines& defines)
 {
-    std::vector<Defines> others, result;
-    Defines rest, set;
-    for (const std::string& d : defines)
-        if (!has(lobes, d)) rest.push_back(d);
-    extend(rest, 0, set, others);
-    for (const Defines& lobe : lobeSets(defines))
-        for (Defines other : others) {
-            other.insert(other.end(), lobe.begin(), lobe.end());
-            result.push_back(other);
+    std::vector<Defines> result;
+    Defines rest, present, set;
+    for (const std::string& d : defines) (has(lobes, d) ? present : rest).push_back(d);
+    extend(rest, 0, set, result);
+    if (present.empty()) return result;
+    const std::vector<Defines> without = result;
+    for (Defines with : without) {
+        with.insert(with.end(), present.begin(), present.end());
+        result.push_back(with);
+    }
+    for (const Defines& some : someSets(defines)) result.push_back(some);
+    return result;
+}
+
+// A surface's kind, how its texture joins, and one or all of what else it may have.
+std::vector<Defines> surfaceSets(const Defines& surface)
+{
+    const Defines kinds = {"",
+                           "UNLIT",
+                           "PHONG_MATERIAL",
+                           "PAINTED_REFLECTION",
+                           "ENVLIGHT_LAMBERT",
+                           "ENVLIGHT_PHONG",
+                           "ENVLIGHT_COOK_TORRANCE",
+                           "ENVLIGHT_STRAUSS"};
+    const Defines modes = {"", "NO_TEXTURE", "TEXTURE_REPLACE", "TEXTURE_DECAL", "TEXTURE_BLEND", "TEXTURE_ADD"};
+    Defines others;
+    for (const std::string& d : surface)
+        if (!has(kinds, d) && !has(modes, d)) others.push_back(d);
+    std::vector<Defines> result;
+    for (const std::string& kind : kinds)
+        for (const std::string& mode : modes) {
+            Defines set;
+            if (!kind.empty()) set.push_back(kind);
+            if (!mode.empty()) set.push_back(mode);
+            result.push_back(set);
+            for (const std::string& d : others) {
+                result.push_back(set);
+                result.back().push_back(d);
+            }
+            set.insert(set.end(), others.begin(), others.end());
+            result.push_back(set);
         }
     return result;
 }
@@ -129,15 +149,15 @@ std::vector<Defines> reachableSets(const Defines& defines)
     Defines frame;
     for (const std::string& d : defines)
         if (!has(all, d)) frame.push_back(d);
-    if (frame.empty() || defines.size() < frame.size() + all.size()) return product(defines);
+    if (defines.size() < frame.size() + all.size()) return product(defines);
     std::vector<Defines> result = someSets(defines);
+    for (const Defines& set : surfaceSets(all)) result.push_back(set);
+    if (frame.empty()) return result;
     for (const Defines& set : product(frame))
-        for (const char* kind :
-             {"UNLIT", "PHONG_MATERIAL", "ENVLIGHT_LAMBERT", "ENVLIGHT_PHONG", "ENVLIGHT_COOK_TORRANCE", "ENVLIGHT_STRAUSS"})
-            for (const Defines& other : {Defines{kind}, Defines{kind, "HAS_SUN_MAPS"}}) {
-                result.push_back(set);
-                result.back().insert(result.back().end(), other.begin(), other.end());
-            }
+        for (const Defines& surface : {Defines{"ENVLIGHT_COOK_TORRANCE"}, Defines{"PHONG_MATERIAL", "HAS_SUN_MAPS"}}) {
+            result.push_back(set);
+            result.back().insert(result.back().end(), surface.begin(), surface.end());
+        }
     return result;
 }
 

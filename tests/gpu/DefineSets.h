@@ -13,8 +13,9 @@ Defines imported(const std::string& text);
 /** A few of its sets, for each commit: of up to 6 defines all subsets; of more: none, each alone, any two, all but one, all. */
 std::vector<Defines> someSets(const Defines& defines);
 
-/** All sets that a frame may ask for, and few others. What shades transparent surfaces gets the surface as values: there all sets
- * of the frame's defines meet each kind of material, and the G-buffer's program has all sets of a surface's. */
+/** All sets that a frame may ask for, and few others: without a surface's defines all, lobes together. Of those of a surface each kind
+ * with each way that its texture joins, and one or all of the others. What shades transparent surfaces has all sets of the frame's with
+ * two kinds of surface. */
 std::vector<Defines> reachableSets(const Defines& defines);
 
 /** As osg::Shader inserts them, behind #version. */
