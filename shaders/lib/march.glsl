@@ -20,6 +20,7 @@ struct ScreenRay {
 struct ScreenHit {
     bool found;
     ivec2 pixel;
+    float distance;  // along the ray
     float border;  // distance from the border of the view, in halves of it: 0 there, 1 in the middle
 };
 
@@ -121,6 +122,7 @@ ScreenHit screenRayHit(sampler2D depthMap, sampler2D normalMap, ScreenRay ray, i
     ScreenHit hit;
     hit.found = found;
     hit.pixel = screenRayPixel(ray, ndc);
+    hit.distance = after;
     hit.border = min(1.0 - abs(ndc.x), 1.0 - abs(ndc.y));
     return hit;
 }

@@ -19,22 +19,38 @@ layout(location = 0) out vec4 change;
 layout(location = 1) out vec4 sentByScene;  // for a still view's later frames
 #endif
 
-// Of the 4x4 pixels about p.
-vec4 cellMean(ivec2 p)
+float brightness(vec3 c)
+{
+    return c.r + c.g + c.b;
+}
+
+// A ray that meets a lamp's highlight while its neighbours miss it is noise, and shows as a bright square. The brightest of a cell counts
+// for no more than this many times the mean of the others that meet something, or what the lobe has of the map or of the scene's mean. Metal balls at roughness .2
+// beside full light transport: tRMSE under studio 7.50 % without a limit, 7.51 with 6, 7.52 with 3; squares are seen until 3.
+const float MOST_OVER_OTHERS = 3.0;
+
+// Of the 4x4 pixels about p. level: brightness that is nothing unusual.
+vec4 cellMean(ivec2 p, float level)
 {
     LobeReceiver receiver = lobeReceiver(p);
     float narrowness = lobeNarrowness(receiver.roughness, SHARED_VISIBILITY_TURN);
     ivec2 last = ivec2(viewportSize) - 1;
     vec4 sum = vec4(0.0);
+    vec4 brightest = vec4(0.0);
     float all = 0.0;
     for (int i = 0; i < 16; ++i) {
         ivec2 to = ivec2(i & 3, i >> 2) - 2;
         ivec2 q = clamp(p + to, ivec2(0), last);
         float turn;
         float w = lobeNeighbour(receiver, q, length(vec2(to)), turn) * lobeWeight(turn, narrowness);
-        sum += w * texelFetch(reflectionMap, q, 0);
+        vec4 ray = w * texelFetch(reflectionMap, q, 0);
+        if (brightness(ray.rgb) > brightness(brightest.rgb)) brightest = ray;
+        sum += ray;
         all += w;
     }
+    vec4 others = sum - brightest;
+    float most = MOST_OVER_OTHERS * max(brightness(others.rgb) / max(others.a, 1e-6), level) * brightest.a;
+    sum.rgb -= brightest.rgb * max(1.0 - most / max(brightness(brightest.rgb), 1e-20), 0.0);
     return sum / max(all, 1e-6);
 }
 
@@ -42,18 +58,19 @@ void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
     float roughness = texelFetch(normalMap, p, 0).a;
-    vec4 met = roughness < NARROW_ROUGHNESS ? texelFetch(reflectionMap, p, 0) : cellMean(p);
-    float strength = 1.0 - smoothstep(TRACED_ROUGHNESS - 0.1, TRACED_ROUGHNESS, roughness);
+    vec3 specular = texelFetch(specularTermMap, p, 0).rgb * radianceScale;
     vec3 reflected = pixelReflected(p);
     vec4 blocked = texelFetch(blockedLobeMap, p, 0);  // w: share
     vec3 mean = vec3(0.0);
 #ifdef HAS_BOUNCE
     mean = meanRadiance(reflect(viewRay(inverseProjection, pixelNdc(p)), pixelNormal(p)));
 #endif
+    float level = max(brightness(specular / max(reflected, vec3(1e-3))), brightness(mean));
+    vec4 met = roughness < NARROW_ROUGHNESS ? texelFetch(reflectionMap, p, 0) : cellMean(p, level);
+    float strength = 1.0 - smoothstep(TRACED_ROUGHNESS - 0.1, TRACED_ROUGHNESS, roughness);
     vec3 sent = reflected * (met.rgb + max(blocked.w - met.w, 0.0) * mean);
     // Rays that meet more than the maps know to be in the way hide the map, too.
     float open = min((1.0 - met.w) / max(1.0 - blocked.w, 1e-4), 1.0);
-    vec3 specular = texelFetch(specularTermMap, p, 0).rgb * radianceScale;
     vec3 before = blocked.rgb * mean;
     change = vec4(strength * ((open - 1.0) * specular + sent - before), 0.0);
 #ifdef KEEPS_REFLECTED

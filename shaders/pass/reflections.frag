@@ -16,6 +16,9 @@ uniform int reflectionSteps;
 
 layout(location = 0) out vec4 reflection;  // radiance of what is met, times whether it is; whether
 
+// Radius of the cone of one of a cell's 16 rays, in those of its share of the lobe. Metal balls at roughness .2 and .3 beside full light
+// transport: tRMSE under studio 7.57 and 5.98 % for 0, 7.50 and 5.90 % for 1.5.
+const float CONE_WIDTH = 1.5;
 const float HIT_TOLERANCE = 0.5;  // distance from a surface's plane at which a ray still hits it, in widths of a pixel
 
 // A direction of the lobe in its local frame; below the horizon it meets nothing.
@@ -30,6 +33,28 @@ vec3 lobeDirection(Bsdf b, vec3 v, int group)
 #endif
     vec3 h = ggxVisibleNormalSample(v, b.roughness * b.roughness, u);
     return 2.0 * dot(v, h) * h - v;
+}
+
+// Mean of the picture over what a ray meets that stands for a cone of that half-angle: 8 points of a spiral about the pixel, those of
+// the same surface.
+vec3 coneRadiance(ScreenHit hit, float tangent)
+{
+    vec3 sum = texelFetch(radianceMap, hit.pixel, 0).rgb;
+    vec2 ndc = pixelNdc(hit.pixel);
+    float depth = texelFetch(depthMap, hit.pixel, 0).r;
+    float radius = tangent * hit.distance / pixelFootprint(inverseProjection, ndc, depth, viewportSize);
+    if (radius < 0.5) return sum;
+    PixelPlane plane = pixelPlane(eyeFromDepth(inverseProjection, ndc, depth), pixelNormal(hit.pixel), 2.0 * tangent * hit.distance);
+    float count = 1.0;
+    for (int i = 0; i < 8; ++i) {
+        float angle = 2.39996322972865332 * float(i);
+        ivec2 q = hit.pixel + ivec2(round(radius * sqrt((float(i) + 1.0) / 8.0) * vec2(cos(angle), sin(angle))));
+        q = clamp(q, ivec2(0), ivec2(viewportSize) - 1);
+        float w = abs(planeDistance(plane, q, texelFetch(depthMap, q, 0).r)) < 1.0 ? 1.0 : 0.0;
+        sum += w * texelFetch(radianceMap, q, 0).rgb;
+        count += w;
+    }
+    return sum / count;
 }
 
 void main()
@@ -54,5 +79,6 @@ void main()
     ScreenHit hit = screenRayHit(depthMap, normalMap, ray, reflectionSteps, phase);
     if (!hit.found) return;
     float share = smoothstep(0.0, 0.1, hit.border);  // fades where the picture ends
-    reflection = share * vec4(texelFetch(radianceMap, hit.pixel, 0).rgb, 1.0);
+    float tangent = b.roughness < NARROW_ROUGHNESS ? 0.0 : CONE_WIDTH * inversesqrt(16.0 * PI * ggxReflectionPdf(v, normalize(v + d), b.roughness * b.roughness));
+    reflection = share * vec4(coneRadiance(hit, tangent), 1.0);
 }
