@@ -203,9 +203,9 @@ void Materials::addSurface(osg::StateSet& stateSet, const tinygltf::Material& m,
     stateSet.setAttributeAndModes(material);
     if (form.unlit) return stateSet.setMode(GL_LIGHTING, osg::StateAttribute::OFF);
 
-    if (!form.vertexColors)
-        osgEnvLight::Material::setCookTorrance(stateSet, toVec3f(c), float(m.pbrMetallicRoughness.metallicFactor),
-                                               float(m.pbrMetallicRoughness.roughnessFactor));
+    osgEnvLight::Material::setCookTorrance(stateSet, toVec3f(c), float(m.pbrMetallicRoughness.metallicFactor),
+                                           float(m.pbrMetallicRoughness.roughnessFactor));
+    if (form.vertexColors) osgEnvLight::Material::setVertexColors(stateSet);
     if (emission.length2() > 0.0f) setUniform(stateSet, MaterialNames::emission, emission);
     addExtensions(stateSet, m);
 }

@@ -133,7 +133,7 @@ SurfaceMaterial SceneState::material(const osg::Geometry& geometry, bool linearC
 {
     SurfaceMaterial m;
     m.brdf = std::max(brdf(), 0);
-    m.encoded = brdf() < 0 && !linearColors;
+    m.encoded = (brdf() < 0 || vertexColored()) && !linearColors;
     m.unlit = unlit();
     m.vertexColored = vertexColored();
     setHostMaterial(m, linearColors);

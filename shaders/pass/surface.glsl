@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the host's fixed-function state, or our Material, says of the surface at this fragment. Colours of the host's materials
-// and vertices, and of images without floats, are sRGB encoded; those of our Material are linear.
+// and of vertices, and of images without floats, are sRGB encoded; those of our Material are linear.
 #ifndef SURFACE_GLSL
 #define SURFACE_GLSL
 #pragma import_defines(HAS_SUN_MAPS, ENVLIGHT_COOK_TORRANCE, ENVLIGHT_LAMBERT, ENVLIGHT_PHONG, ENVLIGHT_STRAUSS, FACE_NORMAL, VERTEX_COLOR, UNLIT, NO_TEXTURE, LINEAR_TEXTURE, ALPHA_TEXTURE, TEXTURE_REPLACE, TEXTURE_DECAL, TEXTURE_BLEND, TEXTURE_ADD, PAINTED_REFLECTION, PHONG_MATERIAL, TWO_SIDED, ENVLIGHT_EMISSION)
@@ -125,7 +125,7 @@ vec4 surfaceColor(vec4 material)
 #ifdef VERTEX_COLOR
     base = vertexColor;
 #endif
-#ifndef ENVLIGHT_MATERIAL
+#if !defined(ENVLIGHT_MATERIAL) || defined(VERTEX_COLOR)
     base.rgb = hostColor(base.rgb);
 #endif
 #ifndef NO_TEXTURE

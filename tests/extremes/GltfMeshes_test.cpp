@@ -2,6 +2,8 @@
 // The glTF reader: containers, accessors, primitives, morph targets.
 #include "GltfFiles.h"
 
+#include <osgEnvLight/Material>
+
 #include <osg/TriangleFunctor>
 #include <osgAnimation/MorphGeometry>
 
@@ -168,8 +170,11 @@ TEST(GltfMeshes, VertexColorsBecomeDisplayValues)
     EXPECT_NEAR(c.g(), 0.7354, 1e-4);  // .5 encoded
     EXPECT_NEAR(c.b(), 0.5371, 1e-4);  // .25 encoded
     EXPECT_FLOAT_EQ(c.a(), .5f);
-    // The nodekit's BRDFs take no vertex colours, so that such a surface has none of them.
-    EXPECT_FALSE(g->getStateSet()->getUniform("envlightBaseColor"));
+    // It is as metallic and rough as one without.
+    EXPECT_EQ(osgEnvLight::Material::COOK_TORRANCE, osgEnvLight::Material::brdfOf(*g->getStateSet(), -1));
+    bool taken = false;
+    ASSERT_TRUE(g->getStateSet()->getUniform("envlightVertexColors"));
+    EXPECT_TRUE(g->getStateSet()->getUniform("envlightVertexColors")->get(taken) && taken);
 }
 
 TEST(GltfMeshes, NodesShareTheirMesh)

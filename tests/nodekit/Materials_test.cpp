@@ -86,6 +86,29 @@ TEST_F(Materials, EveryBrdfByItsName)
     EXPECT_EQ(0.125f, number(stateSet(*lit, 5), "envlightSmoothness"));
 }
 
+// A metal is coloured by its vertices as by the same base colour.
+TEST_F(Materials, VertexColorsTakeTheBaseColorsPlace)
+{
+    SceneRenderer renderer(64, 64);
+    const auto picture = [&](bool byVertices, bool taken) {
+        const osg::ref_ptr<osg::Geode> ball = makeSphere(osg::Vec3d(), 1.0);
+        Material::setCookTorrance(*ball->getOrCreateStateSet(),
+                                  byVertices ? osg::Vec3f(1, 1, 1) : osg::Vec3f(0.6038f, 0.2140f, 0.0331f), 1.0f, 0.3f);
+        osg::ref_ptr<osg::Vec4Array> colors = new osg::Vec4Array(osg::Array::BIND_OVERALL, 1);
+        (*colors)[0] = osg::Vec4(0.8f, 0.5f, 0.2f, 1.0f);  // the base colour, encoded
+        ball->getDrawable(0)->asGeometry()->setColorArray(colors);
+        if (byVertices) Material::setVertexColors(*ball->getOrCreateStateSet(), taken);
+        const osg::ref_ptr<LitScene> lit = makeLit(constantMap(1.0).get());
+        lit->addChild(ball);
+        return renderer.render(lit);
+    };
+    const Picture expected = picture(false, false);
+    EXPECT_GT(expected.color(32, 32)[0], 0.5);
+    // The base colour has four digits.
+    EXPECT_LT(largestDifference(expected, picture(true, true)), 5e-4);
+    EXPECT_GT(largestDifference(expected, picture(true, false)), 0.3);
+}
+
 TEST_F(Materials, PatternsGiveWayToLongerNames)
 {
     const osg::ref_ptr<LitScene> lit = build({"wheel_front", "wheel_back", "wheel", "body", "w[1]*"}, R"({

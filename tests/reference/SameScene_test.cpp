@@ -312,6 +312,11 @@ TEST_F(SameScene, OurMaterials)
     Material::setBlinnPhong(*b->getOrCreateStateSet(), osg::Vec3f(0.3f, 0.4f, 0.1f), osg::Vec3f(0.3f, 0.2f, 0.1f), 50.0f);
     Material::setCookTorrance(*c->getOrCreateStateSet(), osg::Vec3f(0.7f, 0.5f, 0.2f), 0.4f, 0.3f, Material::BECKMANN_NORMALS);
     expectSame(together({a, b, c}), "three more");
+    osg::ref_ptr<osg::Vec4Array> colors = new osg::Vec4Array(osg::Array::BIND_OVERALL, 1);
+    (*colors)[0] = osg::Vec4(0.8f, 0.5f, 0.2f, 1.0f);
+    c->getDrawable(0)->asGeometry()->setColorArray(colors);
+    Material::setVertexColors(*c->getStateSet());
+    expectSame(together({a, b, c}), "colours of vertices");
 }
 
 TEST_F(SameScene, NodesThatDependOnTheView)

@@ -67,6 +67,11 @@ void Material::setStrauss(osg::StateSet& stateSet, const osg::Vec3f& color, floa
     setUniform(stateSet, "envlightSmoothness", smoothness);
 }
 
+void Material::setVertexColors(osg::StateSet& stateSet, bool on)
+{
+    setUniform(stateSet, MaterialMaps::vertexColors, on);
+}
+
 void Material::setNormalMap(osg::StateSet& stateSet, osg::Texture2D* map, float scale, bool topIsZero, int set, unsigned unit)
 {
     setMap(stateSet, MaterialMaps::normal, map, set, unit);

@@ -95,6 +95,7 @@ void SurfaceState::mergeMaps(const osg::StateSet& s)
     for (size_t i = 0; i < _mapUnits.size(); ++i)
         if (const osg::Uniform* unit = s.getUniform(MaterialMaps::samplers[i])) unit->get(_mapUnits[i]);
     if (s.getUniform(MaterialMaps::emission)) _emits = true;
+    if (const osg::Uniform* colors = s.getUniform(MaterialMaps::vertexColors)) colors->get(_ownVertexColors);
 }
 
 bool SurfaceState::mapped(unsigned map) const
@@ -129,7 +130,8 @@ void SurfaceState::mergeMode(osg::StateAttribute::GLMode mode, osg::StateAttribu
         case GL_FRAGMENT_PROGRAM_ARB:
             return _fragmentProgram.merge(value);
         default:
-            if (mode >= GL_CLIP_PLANE0 && mode < GL_CLIP_PLANE0 + _clipPlanes.size()) _clipPlanes[mode - GL_CLIP_PLANE0].merge(value);
+            if (mode >= GL_CLIP_PLANE0 && mode < GL_CLIP_PLANE0 + _clipPlanes.size())
+                _clipPlanes[mode - GL_CLIP_PLANE0].merge(value);
     }
 }
 
@@ -237,7 +239,7 @@ bool SurfaceState::vertexColored() const
     const osg::Material* m = osgMaterial();
     const bool colorMode =
         m && (m->getColorMode() == osg::Material::DIFFUSE || m->getColorMode() == osg::Material::AMBIENT_AND_DIFFUSE);
-    return _brdf < 0 && (unlit() || !m || colorMode);
+    return _brdf < 0 ? unlit() || !m || colorMode : _ownVertexColors;
 }
 
 bool SurfaceState::phongMaterial() const

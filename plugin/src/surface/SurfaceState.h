@@ -164,6 +164,7 @@ class OSGENVLIGHT_EXPORT SurfaceState
     int _brdf = -1;
     std::array<int, 3> _mapUnits{};  // 0: none
     bool _emits = false;
+    bool _ownVertexColors = false;  // a BRDF of ours takes them
 };
 
 }  // namespace osgEnvLight
