@@ -7,9 +7,10 @@ namespace osgEnvLight::gltf
 /** Where the reader puts what a material of a glTF file says: the one list of units, uniforms and vertex attributes.
  *
  * A lit surface has an osg::Material (diffuse: base colour, emission: emissive colour, both as display values; alpha) and the
- * uniforms of osgEnvLight::Material::setCookTorrance (linear base colour, metalness, roughness). Where vertices
- * have colours, these times the base colour, as display values, are the geometry's colours, and osgEnvLight::Material::setVertexColors()
- * puts them in the base colour's place. KHR_materials_unlit has neither: GL_LIGHTING is off and the colours are the vertices'.
+ * uniforms of osgEnvLight::Material::setCookTorrance (linear base colour, metalness, roughness). If a
+ * primitive has vertex colours, the reader multiplies them by the base colour, stores display values as the geometry's colours,
+ * and calls osgEnvLight::Material::setVertexColors(). KHR_materials_unlit has neither: GL_LIGHTING is off and the colours are the
+ * vertices'.
  *
  * unit  texture (attribute)          colours  mode  sampler uniform
  *    0  base colour                  sRGB     on    -

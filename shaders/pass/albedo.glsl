@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Directional albedo of lobes, of one bounce: scale and offset of F0. Those of microfacets come from a table over (roughness, sqrt cos),
-// one beside the other for each distribution.
+// A lobe's directional albedo for one bounce, as scale and offset of F0. A table over (roughness, sqrt cos) has that of microfacets, with
+// one block for each distribution.
 #ifndef ALBEDO_GLSL
 #define ALBEDO_GLSL
 

@@ -24,12 +24,12 @@ float brightness(vec3 c)
     return c.r + c.g + c.b;
 }
 
-// A ray that meets a lamp's highlight while its neighbours miss it is noise, and shows as a bright square. The brightest of a cell counts
-// for no more than this many times the mean of the others that meet something, or what the lobe has of the map or of the scene's mean. Metal balls at roughness .2
-// beside full light transport: tRMSE under studio 7.50 % without a limit, 7.51 with 6, 7.52 with 3; squares are seen until 3.
+// One ray of a cell that meets a lamp's highlight shows as a bright square. So the brightest ray is limited to this many times the largest
+// of three: the mean of the other rays that meet something, the map's radiance in the lobe, the scene's mean radiance. Metal balls at
+// roughness .2 under studio, beside full light transport: tRMSE 7.50 % without a limit, 7.51 with 6, 7.52 with 3. Squares are seen with 6.
 const float MOST_OVER_OTHERS = 3.0;
 
-// Of the 4x4 pixels about p. level: brightness that is nothing unusual.
+// Mean of the rays of the 4x4 pixels about p. level: the largest of the map's and the scene's brightness in the lobe.
 vec4 cellMean(ivec2 p, float level)
 {
     LobeReceiver receiver = lobeReceiver(p);

@@ -13,9 +13,10 @@ Defines imported(const std::string& text);
 /** A few of its sets, for each commit: of up to 6 defines all subsets; of more: none, each alone, any two, all but one, all. */
 std::vector<Defines> someSets(const Defines& defines);
 
-/** All sets that a frame may ask for, and few others: without a surface's defines all, lobes together. Of those of a surface each kind
- * with each way that its texture joins, and one or all of the others. What shades transparent surfaces has all sets of the frame's with
- * two kinds of surface. */
+/** The sets that a frame may ask for, and few others.
+ * A pass over the picture: all sets, with no lobe or all lobes; and someSets().
+ * The G-buffer's program: each kind of surface with each texture mode, and none, one or all of the other defines; and someSets().
+ * The program of transparent surfaces: both, and all sets of the frame's defines with two kinds of surface.*/
 std::vector<Defines> reachableSets(const Defines& defines);
 
 /** As osg::Shader inserts them, behind #version. */

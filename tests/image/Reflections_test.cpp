@@ -98,7 +98,7 @@ TEST(Reflections, ASunInANeighbourLeavesNoSquares)
                 for (int j = -4; j <= 4; ++j)
                     if (shown.alpha(x + i, y + j) > 0.5f) about.push_back(added(x + i, y + j));
             if (about.size() < 81) continue;
-            // A square of 4 x 4 is less than an eighth of 9 x 9: seven eighths are darker than it, if it is alone.
+            // A square of 4 x 4 is a fifth of 9 x 9. If it is alone, three quarters are darker than it.
             std::nth_element(about.begin(), about.begin() + 60, about.end());
             worst = std::max(worst, added(x, y) - about[60]);
         }

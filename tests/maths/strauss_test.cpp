@@ -10,8 +10,8 @@ using glsl::vec3;
 namespace
 {
 
-// The model as printed [Strauss 1990, eq. 8-17], opaque.
-double byHand(double s, double fresnelShare, double cosV, double cosL)
+// The lobe's reflectance as printed, of an opaque surface [Strauss 1990, eq. 8-17]: the part of Fresnel's rise, or the rest.
+double byHand(double s, bool ofFresnel, double cosV, double cosL)
 {
     const auto angle = [](double c) { return std::acos(c) / (0.5 * pi); };
     const auto F = [](double x) {
@@ -25,7 +25,7 @@ double byHand(double s, double fresnelShare, double cosV, double cosL)
     const double diffuse = 1.0 - std::pow(s, 3);
     const double normal = 1.0 - diffuse;
     const double j = F(angle(cosL)) * G(angle(cosL)) * G(angle(cosV));
-    return std::min(1.0, normal + (normal + 0.1) * j) * (fresnelShare > 0.5 ? F(angle(cosL)) : 1.0 - F(angle(cosL)));
+    return std::min(1.0, normal + (normal + 0.1) * j) * (ofFresnel ? F(angle(cosL)) : 1.0 - F(angle(cosL)));
 }
 
 }  // namespace
@@ -48,8 +48,8 @@ TEST(strauss, ReflectanceAsPrinted)
     for (int i = 0; i < 2000; ++i) {
         const double s = random.uniform(), cosV = random.uniform(), cosL = random.uniform();
         const vec2 r = glsl::straussReflectance(s, cosV, cosL);
-        EXPECT_NEAR(r.x, byHand(s, 0.0, cosV, cosL), 1e-12);
-        EXPECT_NEAR(r.y, byHand(s, 1.0, cosV, cosL), 1e-12);
+        EXPECT_NEAR(r.x, byHand(s, false, cosV, cosL), 1e-12);
+        EXPECT_NEAR(r.y, byHand(s, true, cosV, cosL), 1e-12);
         EXPECT_LE(r.x + r.y, 1.0 + 1e-15);
     }
 }

@@ -4,6 +4,7 @@
 
 #include <osgEnvLight/Material>
 
+#include <algorithm>
 #include <cmath>
 
 inline const osgEnvLight::Material::Brdf lobedBrdfs[] = {osgEnvLight::Material::PHONG, osgEnvLight::Material::COOK_TORRANCE,
