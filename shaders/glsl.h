@@ -90,12 +90,14 @@ inline vec4 textureLod(const sampler2D& s, vec2 st, double)
 #define HAS_BLINN_PHONG
 #define HAS_BECKMANN
 #define HAS_STRAUSS
+#define HAS_COATS
 #include "lib/atlas.glsl"
 #include "lib/bilateral.glsl"
 #include "lib/beckmann.glsl"
 #include "lib/blinn.glsl"
 #include "lib/bsdf.glsl"
 #include "lib/bulge.glsl"
+#include "lib/coat.glsl"
 #include "lib/constants.glsl"
 #include "lib/depth.glsl"
 #include "lib/frame.glsl"
@@ -123,6 +125,7 @@ inline vec4 textureLod(const sampler2D& s, vec2 st, double)
 #undef HAS_BLINN_PHONG
 #undef HAS_BECKMANN
 #undef HAS_STRAUSS
+#undef HAS_COATS
 
 }  // namespace
 }  // namespace glsl

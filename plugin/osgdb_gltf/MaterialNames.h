@@ -19,6 +19,8 @@ namespace osgEnvLight::gltf
  *    3  R occlusion                  linear   off   envlightOcclusionMap
  *    4  emission                     sRGB     off   envlightEmissionMap
  *    5  R clear coat                 linear   off   envlightCoatMap
+ *    6  G roughness of the coat      linear   off   envlightCoatRoughnessMap
+ *    7  normals of the coat          linear   off   envlightCoatNormalMap
  *
  * Units without a mode are invisible to fixed function. sRGB: the texels are display values, which the shader decodes. A one or
  * two channel image is GL_LUMINANCE or GL_LUMINANCE_ALPHA. Row 0 of an image is the top of the picture, where the second
@@ -31,13 +33,14 @@ namespace osgEnvLight::gltf
  * uniform                   type   factor of
  * envlightNormalScale       float  x and y of the normal map; with envlightNormalMap
  * envlightNormalUp          float  -1: green points to where the second coordinate is 0; with envlightNormalMap
+ * envlightCoatNormalScale   float  as envlightNormalScale, with envlightCoatNormalMap
+ * envlightCoatNormalUp      float  as envlightNormalUp, with envlightCoatNormalMap
  * envlightOcclusionStrength float  with envlightOcclusionMap
  * envlightEmission          vec3   envlightEmissionMap; linear radiance: emissiveFactor times emissiveStrength
- * envlightCoat              float  KHR_materials_clearcoat
+ * envlightCoat              float  KHR_materials_clearcoat, as osgEnvLight::Material::setCoat() sets it
  * envlightCoatRoughness     float  KHR_materials_clearcoat
- * envlightIor               float  KHR_materials_ior
- * envlightSpecularFactor    float  KHR_materials_specular
- * envlightSpecularColor     vec3   KHR_materials_specular, linear
+ * envlightDielectric        vec3   KHR_materials_ior and KHR_materials_specular, as osgEnvLight::Material::setDielectric() sets
+ * it
  *
  * With envlightEmissionMap the osg::Material emits nothing, or all of the surface would glow where the map is not read.
  *
@@ -47,21 +50,19 @@ namespace osgEnvLight::gltf
  * as it is at rest. Files without tangents have none: derive them from the coordinates of the normal map. Without normals there
  * is no normal array: faces are flat. */
 struct MaterialNames {
-    enum Unit { BASE_COLOR, NORMAL, METAL_ROUGH, OCCLUSION, EMISSION, COAT };
+    enum Unit { BASE_COLOR, NORMAL, METAL_ROUGH, OCCLUSION, EMISSION, COAT, COAT_ROUGHNESS, COAT_NORMAL };
     static constexpr const char* sampler[] = {
-        nullptr, "envlightNormalMap", "envlightMetalRoughMap", "envlightOcclusionMap", "envlightEmissionMap", "envlightCoatMap"};
+        nullptr,           "envlightNormalMap",        "envlightMetalRoughMap", "envlightOcclusionMap", "envlightEmissionMap",
+        "envlightCoatMap", "envlightCoatRoughnessMap", "envlightCoatNormalMap"};
     static constexpr const char* texCoordSuffix = "TexCoord";
     static constexpr const char* transformSuffix = "Transform";
 
     static constexpr const char* normalScale = "envlightNormalScale";
     static constexpr const char* normalUp = "envlightNormalUp";
+    static constexpr const char* coatNormalScale = "envlightCoatNormalScale";
+    static constexpr const char* coatNormalUp = "envlightCoatNormalUp";
     static constexpr const char* occlusionStrength = "envlightOcclusionStrength";
     static constexpr const char* emission = "envlightEmission";
-    static constexpr const char* coat = "envlightCoat";
-    static constexpr const char* coatRoughness = "envlightCoatRoughness";
-    static constexpr const char* ior = "envlightIor";
-    static constexpr const char* specularFactor = "envlightSpecularFactor";
-    static constexpr const char* specularColor = "envlightSpecularColor";
 
     static constexpr unsigned tangentAttribute = 6;
 };

@@ -103,12 +103,12 @@ void Materials::readTransform(const tinygltf::Value& transform, Use& use)
     }
 }
 
-Materials::Use Materials::coatUse(int index) const
+Materials::Use Materials::coatUse(int index, const char* name) const
 {
     Use use;
     const tinygltf::Value* coat = extension(material(index).extensions, "KHR_materials_clearcoat");
-    if (!coat || !coat->Has("clearcoatTexture")) return use;
-    const tinygltf::Value& info = coat->Get("clearcoatTexture");
+    if (!coat || !coat->Has(name)) return use;
+    const tinygltf::Value& info = coat->Get(name);
     use.texture = int(numberOf(info, "index", -1));
     use.texCoord = unsigned(numberOf(info, "texCoord", 0));
     if (info.Has("extensions") && info.Get("extensions").Has("KHR_texture_transform"))
@@ -176,10 +176,18 @@ void Materials::addTextures(osg::StateSet& stateSet, int index)
     add(MaterialNames::METAL_ROUGH, use(m.pbrMetallicRoughness.metallicRoughnessTexture));
     add(MaterialNames::OCCLUSION, use(m.occlusionTexture));
     add(MaterialNames::EMISSION, use(m.emissiveTexture));
-    add(MaterialNames::COAT, coatUse(index));
+    add(MaterialNames::COAT, coatUse(index, "clearcoatTexture"));
+    add(MaterialNames::COAT_ROUGHNESS, coatUse(index, "clearcoatRoughnessTexture"));
+    add(MaterialNames::COAT_NORMAL, coatUse(index, "clearcoatNormalTexture"));
     if (m.normalTexture.index >= 0) {
         setUniform(stateSet, MaterialNames::normalScale, float(m.normalTexture.scale));
         setUniform(stateSet, MaterialNames::normalUp, -1.0f);
+    }
+    const tinygltf::Value* coat = extension(m.extensions, "KHR_materials_clearcoat");
+    if (coat && coat->Has("clearcoatNormalTexture")) {
+        const float scale = float(numberOf(coat->Get("clearcoatNormalTexture"), "scale", 1.0));
+        setUniform(stateSet, MaterialNames::coatNormalScale, scale);
+        setUniform(stateSet, MaterialNames::coatNormalUp, -1.0f);
     }
     if (m.occlusionTexture.index >= 0) setUniform(stateSet, MaterialNames::occlusionStrength, float(m.occlusionTexture.strength));
 }
@@ -213,15 +221,15 @@ void Materials::addSurface(osg::StateSet& stateSet, const tinygltf::Material& m,
 void Materials::addExtensions(osg::StateSet& stateSet, const tinygltf::Material& m)
 {
     if (const tinygltf::Value* coat = extension(m.extensions, "KHR_materials_clearcoat")) {
-        setUniform(stateSet, MaterialNames::coat, float(numberOf(*coat, "clearcoatFactor", 0.0)));
-        setUniform(stateSet, MaterialNames::coatRoughness, float(numberOf(*coat, "clearcoatRoughnessFactor", 0.0)));
+        osgEnvLight::Material::setCoat(stateSet, float(numberOf(*coat, "clearcoatFactor", 0.0)),
+                                       float(numberOf(*coat, "clearcoatRoughnessFactor", 0.0)));
     }
-    if (const tinygltf::Value* ior = extension(m.extensions, "KHR_materials_ior"))
-        setUniform(stateSet, MaterialNames::ior, float(numberOf(*ior, "ior", 1.5)));
-    if (const tinygltf::Value* specular = extension(m.extensions, "KHR_materials_specular")) {
-        setUniform(stateSet, MaterialNames::specularFactor, float(numberOf(*specular, "specularFactor", 1.0)));
-        setUniform(stateSet, MaterialNames::specularColor, colorOf(*specular, "specularColorFactor", 1.0f));
-    }
+    const tinygltf::Value* ior = extension(m.extensions, "KHR_materials_ior");
+    const tinygltf::Value* specular = extension(m.extensions, "KHR_materials_specular");
+    if (!ior && !specular) return;
+    osgEnvLight::Material::setDielectric(stateSet, float(ior ? numberOf(*ior, "ior", 1.5) : 1.5),
+                                         float(specular ? numberOf(*specular, "specularFactor", 1.0) : 1.0),
+                                         specular ? colorOf(*specular, "specularColorFactor", 1.0f) : osg::Vec3f(1, 1, 1));
 }
 
 void Materials::addBlending(osg::StateSet& stateSet, const tinygltf::Material& m)

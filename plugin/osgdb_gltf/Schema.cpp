@@ -133,6 +133,7 @@ const Rule rules[] = {
     {"materials[].extensions.KHR_materials_emissive_strength.emissiveStrength", NUMBER, OPTIONAL, 0},
     {"materials[].extensions.KHR_materials_clearcoat.clearcoatFactor", NUMBER, OPTIONAL, 0, 1},
     {"materials[].extensions.KHR_materials_clearcoat.clearcoatRoughnessFactor", NUMBER, OPTIONAL, 0, 1},
+    {"materials[].extensions.KHR_materials_clearcoat.clearcoatNormalTexture.scale", NUMBER},
     {"materials[].extensions.KHR_materials_ior.ior", NUMBER, OPTIONAL, 0},
     {"materials[].extensions.KHR_materials_specular.specularFactor", NUMBER, OPTIONAL, 0, 1},
     {"materials[].extensions.KHR_materials_specular.specularColorFactor", LIST, OPTIONAL, 3, 3},
@@ -157,6 +158,8 @@ const char* const textureUses[] = {
     "materials[].occlusionTexture",
     "materials[].emissiveTexture",
     "materials[].extensions.KHR_materials_clearcoat.clearcoatTexture",
+    "materials[].extensions.KHR_materials_clearcoat.clearcoatRoughnessTexture",
+    "materials[].extensions.KHR_materials_clearcoat.clearcoatNormalTexture",
 };
 const Rule textureRules[] = {
     {".index", INDEX, REQUIRED, 0, 0, "textures"},

@@ -29,7 +29,7 @@ glm::dvec2 microfacetAlbedo(int brdf, double roughness, double cosV)
     const glm::dvec2 p = glm::clamp(glm::dvec2(roughness, std::sqrt(cosV)), 0.0, 1.0) * double(n - 1);
     const glm::ivec2 i = glm::min(glm::ivec2(p), n - 2);
     const glm::dvec2 f = p - glm::dvec2(i);
-    const int block = brdf == Material::COOK_TORRANCE ? 0 : brdf == Material::BECKMANN ? n : 2 * n;
+    const int block = n * glsl::albedoBlock(brdf);
     auto at = [&](int x, int y) {
         const float* t = texels + 2 * (y * table->s() + block + x);
         return glm::dvec2(double(t[0]), double(t[1]));
@@ -38,10 +38,14 @@ glm::dvec2 microfacetAlbedo(int brdf, double roughness, double cosV)
            f.y * ((1.0 - f.x) * at(i.x, i.y + 1) + f.x * at(i.x + 1, i.y + 1));
 }
 
-// A lobe about the mirror direction, not of normals half-way.
-bool isMirrored(int brdf)
+glsl::Bsdf bsdfOf(int brdf, const glm::dvec3& f0, double roughness, const glm::dvec3& energy)
 {
-    return brdf == Material::PHONG || brdf == Material::STRAUSS;
+    glsl::Bsdf b;
+    b.brdf = brdf;
+    b.f0 = f0;
+    b.roughness = roughness;
+    b.energy = energy;
+    return b;
 }
 
 glm::dvec3 shadingNormal(const SurfaceHit& hit)
@@ -63,11 +67,11 @@ Reflection::Reflection(const SurfaceHit& hit, const Ray& ray, const glm::dvec4& 
     _emission = m.unlit ? base : m.emission;
     if (m.unlit) return;
     _albedo = base;
-    _brdf = m.brdf;
+    _base.brdf = m.brdf;
     if (m.brdf != Material::LAMBERT) {
         setView(ray.direction);
         setParameters(m, base);
-        setLobe();
+        setLobes(m);
     }
     _diffuse = _albedo * _body / pi;
 }
@@ -86,54 +90,77 @@ void Reflection::setParameters(const SurfaceMaterial& m, const glm::dvec3& base)
         case Material::COOK_TORRANCE:
         case Material::BECKMANN:
             _albedo = base * (1.0 - m.metalness);
-            _f0 = glm::mix(glm::dvec3(0.04), base, m.metalness);
-            _roughness = m.roughness;
+            _base.f0 = glm::mix(m.dielectric, base, m.metalness);
+            _base.roughness = m.roughness;
             break;
         case Material::STRAUSS:
             _albedo = base * glsl::straussDiffuse(m.smoothness, m.metalness);
-            _f0 = glm::mix(glm::dvec3(1.0), base, m.metalness);
-            _roughness = glsl::phongRoughness(glsl::straussExponent(m.smoothness));
+            _base.f0 = glm::mix(glm::dvec3(1.0), base, m.metalness);
+            _base.roughness = glsl::phongRoughness(glsl::straussExponent(m.smoothness));
             break;
         default:
-            _f0 = m.specular;
-            _roughness = glsl::phongRoughness(m.exponent);
+            _base.f0 = m.specular;
+            _base.roughness = glsl::phongRoughness(m.exponent);
     }
     if (!m.limited) return;
-    const glm::dvec3 sum = _albedo + _f0;
+    const glm::dvec3 sum = _albedo + _base.f0;
     const double scale = 1.0 / std::max(1.0, std::max(sum.r, std::max(sum.g, sum.b)));
     _albedo *= scale;
-    _f0 *= scale;
+    _base.f0 *= scale;
 }
 
-void Reflection::setLobe()
+void Reflection::setLobes(const SurfaceMaterial& m)
 {
     // Of the diffuse layer's share the shader asks at the unclamped cosine; both are the same but at grazing angles.
     const double c = _view.z;
     const glm::dvec2 table =
-        _brdf == Material::STRAUSS
-            ? glm::dvec2(glsl::straussReflectance(glsl::straussSmoothness(glsl::phongExponent(_roughness)), c, c))
-            : microfacetAlbedo(_brdf, _roughness, c);
-    const glsl::Bsdf b = glsl::makeBsdf(_brdf, _f0, _roughness, table);
-    _energy = b.energy;
+        _base.brdf == Material::STRAUSS
+            ? glm::dvec2(glsl::straussReflectance(glsl::straussSmoothness(glsl::phongExponent(_base.roughness)), c, c))
+            : microfacetAlbedo(_base.brdf, _base.roughness, c);
+    glsl::Bsdf b = glsl::makeBsdf(_base.brdf, _base.f0, _base.roughness, table);
+    if (m.coat > 0.0) {
+        glsl::Coat coat;
+        coat.strength = m.coat;
+        coat.roughness = m.coatRoughness;
+        const glsl::Bsdf top = glsl::coatBsdf(coat, microfacetAlbedo(Material::COOK_TORRANCE, m.coatRoughness, c));
+        b = glsl::belowCoat(b, top.reflected);
+        _emission *= 1.0 - m.coat * glsl::fresnelSchlick(top.f0, c);
+        _coat.brdf = Material::COOK_TORRANCE;
+        _coat.f0 = top.f0;
+        _coat.energy = top.energy;
+        _coat.roughness = m.coatRoughness;
+        _coat.wide = m.coatRoughness * m.coatRoughness >= mirrorAlpha;
+        if (!_coat.wide) addMirror(_coat);
+    }
+    _base.energy = b.energy;
     _body = b.body;
-    if (std::max(_f0.r, std::max(_f0.g, _f0.b)) <= 0.0 && (isMirrored(_brdf) || _brdf == Material::BLINN_PHONG)) return;
-    _mirror = _roughness * _roughness < mirrorAlpha;
-    _lobe = !_mirror;
-    const double n = glsl::phongExponent(_roughness);
-    _mirrorWeight = isMirrored(_brdf) ? glsl::bsdfMirrored(b, c, c) * ((n + 2.0) / (n + 1.0) * c) : glsl::bsdfFresnel(b, c);
+    const bool black = std::max(_base.f0.r, std::max(_base.f0.g, _base.f0.b)) <= 0.0;
+    if (black && (glsl::isMirrored(_base.brdf) || _base.brdf == Material::BLINN_PHONG)) return;
+    _base.wide = _base.roughness * _base.roughness >= mirrorAlpha;
+    if (!_base.wide) addMirror(_base);
+}
+
+void Reflection::addMirror(const Lobe& lobe)
+{
+    _mirror = true;
+    const double c = _view.z;
+    const double n = glsl::phongExponent(lobe.roughness);
+    const glsl::Bsdf b = bsdfOf(lobe.brdf, lobe.f0, lobe.roughness, lobe.energy);
+    _mirrorWeight += glsl::isMirrored(lobe.brdf) ? glsl::bsdfMirrored(b, c, c) * ((n + 2.0) / (n + 1.0) * c)
+                                                 : lobe.energy * glsl::bsdfFresnel(b, c);
+}
+
+glm::dvec3 Reflection::value(const Lobe& lobe, const glm::dvec3& toLight) const
+{
+    if (!lobe.wide) return glm::dvec3(0.0);
+    return glsl::bsdfLobe(bsdfOf(lobe.brdf, lobe.f0, lobe.roughness, lobe.energy), _view, toLight);
 }
 
 glm::dvec3 Reflection::glossy(const glm::dvec3& l) const
 {
-    if (!_lobe) return glm::dvec3(0.0);
+    if (!hasLobe()) return glm::dvec3(0.0);
     const glm::dvec3 toLight = local(l);
-    if (toLight.z <= 0.0) return glm::dvec3(0.0);
-    glsl::Bsdf b;
-    b.brdf = _brdf;
-    b.f0 = _f0;
-    b.roughness = _roughness;
-    b.energy = _energy;
-    return glsl::bsdfLobe(b, _view, toLight);
+    return toLight.z <= 0.0 ? glm::dvec3(0.0) : value(_base, toLight) + value(_coat, toLight);
 }
 
 glm::dvec3 Reflection::sampleCosine(const glm::dvec2& u) const
@@ -146,18 +173,25 @@ glm::dvec3 Reflection::sampleHemisphere(const glm::dvec2& u) const
     return _frame * aboutPole(1.0 - u.x, u.y);
 }
 
-glm::dvec3 Reflection::sampleLobe(const glm::dvec2& u) const
+glm::dvec3 Reflection::sample(const Lobe& lobe, const glm::dvec2& u) const
 {
-    if (isMirrored(_brdf)) {
+    if (glsl::isMirrored(lobe.brdf)) {
         // 1 - u^(1/(n+1)) without the difference
-        const double height = -std::expm1(std::log1p(-u.x) / (glsl::phongExponent(_roughness) + 1.0));
+        const double height = -std::expm1(std::log1p(-u.x) / (glsl::phongExponent(lobe.roughness) + 1.0));
         return frameAbout(_reflected) * aboutPoleByHeight(height, u.y);
     }
-    const double a2 = std::pow(_roughness, 4.0);
+    const double a2 = std::pow(lobe.roughness, 4.0);
     const double tan2 = a2 * u.x / (1.0 - u.x);
     const glm::dvec3 h = aboutPole(1.0 / std::sqrt(1.0 + tan2), u.y);
     const double c = glm::dot(_view, h);
     return c > 0.0 ? _frame * glm::normalize(2.0 * c * h - _view) : glm::dvec3(0.0);
+}
+
+glm::dvec3 Reflection::sampleLobe(const glm::dvec2& u) const
+{
+    if (!_coat.wide) return sample(_base, u);
+    if (!_base.wide) return sample(_coat, u);
+    return u.x < 0.5 ? sample(_base, glm::dvec2(2.0 * u.x, u.y)) : sample(_coat, glm::dvec2(2.0 * u.x - 1.0, u.y));
 }
 
 double Reflection::cosineDensity(const glm::dvec3& l) const
@@ -170,10 +204,10 @@ double Reflection::hemisphereDensity(const glm::dvec3& l) const
     return glm::dot(_normal, l) > 0.0 ? 0.5 / pi : 0.0;
 }
 
-double Reflection::lobeDensity(const glm::dvec3& l) const
+double Reflection::density(const Lobe& lobe, const glm::dvec3& l) const
 {
-    if (isMirrored(_brdf)) {
-        const double n = glsl::phongExponent(_roughness);
+    if (glsl::isMirrored(lobe.brdf)) {
+        const double n = glsl::phongExponent(lobe.roughness);
         return (n + 1.0) / (2.0 * pi) * glsl::phongPower(_reflected, l, n);
     }
     const glm::dvec3 h = glm::normalize(_view + local(l));
@@ -181,9 +215,16 @@ double Reflection::lobeDensity(const glm::dvec3& l) const
     // D written out a second time, in the tangent form [Walter 2007, eq. 33].
     const double cos2 = h.z * h.z;
     const double tan2 = (h.x * h.x + h.y * h.y) / cos2;
-    const double a2 = std::pow(_roughness, 4.0);
+    const double a2 = std::pow(lobe.roughness, 4.0);
     const double d = a2 / (pi * cos2 * cos2 * (a2 + tan2) * (a2 + tan2));
     return d * h.z / (4.0 * std::max(glm::dot(_view, h), 1e-12));
+}
+
+double Reflection::lobeDensity(const glm::dvec3& l) const
+{
+    if (!_coat.wide) return density(_base, l);
+    if (!_base.wide) return density(_coat, l);
+    return 0.5 * (density(_base, l) + density(_coat, l));
 }
 
 }  // namespace osgEnvLight

@@ -26,13 +26,13 @@ class Reflection
 
     bool hasDiffuse() const { return _diffuse.r > 0.0 || _diffuse.g > 0.0 || _diffuse.b > 0.0; }
     /** A lobe with width. */
-    bool hasLobe() const { return _lobe; }
+    bool hasLobe() const { return _base.wide || _coat.wide; }
     /** A lobe without: it reflects mirrorWeight() of the radiance from mirrorDirection(). */
     bool isMirror() const { return _mirror; }
     const glm::dvec3& mirrorDirection() const { return _reflected; }
     const glm::dvec3& mirrorWeight() const { return _mirrorWeight; }
 
-    /** By the cosine about the normal; evenly over the hemisphere; by the lobe: cos^n, or normals of GGX's distribution [Walter
+    /** By the cosine about the normal; evenly over the hemisphere; by the lobe, of two by each half the time: cos^n, or normals of GGX's distribution [Walter
      * 2007, eq. 35] for all microfacets, whose tails are the longest. The lobe's may point below the surface, and is null where
      * the normal is one the viewer can't see.*/
     glm::dvec3 sampleCosine(const glm::dvec2& u) const;
@@ -43,9 +43,21 @@ class Reflection
     double lobeDensity(const glm::dvec3& l) const;
 
   private:
+    /** A lobe of microfacets or about the mirror direction. */
+    struct Lobe {
+        int brdf = 0;  // Material::Brdf
+        glm::dvec3 f0{0, 0, 0};
+        glm::dvec3 energy{1, 1, 1};
+        double roughness = 1.0;
+        bool wide = false;  // not a mirror's
+    };
+    glm::dvec3 value(const Lobe& lobe, const glm::dvec3& toLight) const;
+    glm::dvec3 sample(const Lobe& lobe, const glm::dvec2& u) const;
+    double density(const Lobe& lobe, const glm::dvec3& l) const;
     void setView(const glm::dvec3& direction);
     void setParameters(const SurfaceMaterial& m, const glm::dvec3& base);
-    void setLobe();
+    void setLobes(const SurfaceMaterial& m);
+    void addMirror(const Lobe& lobe);
     glm::dvec3 local(const glm::dvec3& l) const { return l * _frame; }
 
     glm::dvec3 _normal;
@@ -56,13 +68,10 @@ class Reflection
     glm::dvec3 _albedo{0, 0, 0};
     glm::dvec3 _diffuse{0, 0, 0};
     glm::dvec3 _emission{0, 0, 0};
-    glm::dvec3 _f0{0, 0, 0};
-    glm::dvec3 _energy{1, 1, 1};
     glm::dvec3 _mirrorWeight{0, 0, 0};
     glm::dvec3 _body{1, 1, 1};  // share of light that the lobe leaves to the Lambert term
-    double _roughness = 1.0;
-    int _brdf = 0;  // Material::Brdf
-    bool _lobe = false;
+    Lobe _base;
+    Lobe _coat;
     bool _mirror = false;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "SceneState.h"
 
+#include "surface/MaterialMaps.h"
+
 #include <osgEnvLight/Material>
 
 #include <osg/AlphaFunc>
@@ -12,6 +14,7 @@
 #include <osg/TexMat>
 
 #include <algorithm>
+#include <iterator>
 
 #include "glsl.h"
 
@@ -114,6 +117,12 @@ void SceneState::setOwnMaterial(SurfaceMaterial& m) const
     m.smoothness = double(uniform("envlightSmoothness", 0.0f));
     m.specular = rgb(uniform("envlightSpecular", osg::Vec3f()));
     m.exponent = double(uniform("envlightExponent", 0.0f));
+    if (coated()) {
+        m.coat = double(uniform(MaterialMaps::coat, 0.0f));
+        m.coatRoughness = double(uniform(MaterialMaps::coatRoughness, 0.0f));
+    } else if (dielectric()) {
+        m.dielectric = rgb(uniform(MaterialMaps::dielectric, osg::Vec3f()));
+    }
 }
 
 void SceneState::setTexture(SurfaceMaterial& m, TextureCache& textures, std::set<std::string>& leftOut) const
@@ -140,8 +149,8 @@ SurfaceMaterial SceneState::material(const osg::Geometry& geometry, bool linearC
     if (brdf() >= 0) setOwnMaterial(m);
     setTexture(m, textures, leftOut);
     if (const char* what = unsupported(&geometry)) leftOut.insert(std::string(what) + ": lit as if they were not there");
-    if (mapped(0) || mapped(1) || mapped(2))
-        leftOut.insert("normal, roughness and emission maps: their surfaces have the material without");
+    for (unsigned map = 0; map < std::size(MaterialMaps::samplers); ++map)
+        if (mapped(map)) leftOut.insert("normal, roughness, emission and coat maps: their surfaces have the material without");
     if (paintedReflection()) leftOut.insert("painted reflections: their surfaces have the material without");
     if (_alphaTest.on && _alphaFunction.attribute) {
         const auto& f = static_cast<const osg::AlphaFunc&>(*_alphaFunction.attribute);

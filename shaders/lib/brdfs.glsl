@@ -9,5 +9,6 @@
 #define BRDF_BLINN_PHONG 3
 #define BRDF_BECKMANN 4       // Cook-Torrance with Beckmann's distribution
 #define BRDF_STRAUSS 5
+#define BRDF_COATED 6         // Cook-Torrance with GGX below a clear coat
 
 #endif

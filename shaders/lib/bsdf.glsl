@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 // What a surface is made of: a Lambert layer, and above it a lobe of one of the BRDFs. Each pass that shades asks here, so that all
 // agree. Local frame as in lib/ggx.glsl. Only the lobes that are asked for are compiled: HAS_PHONG, HAS_COOK_TORRANCE,
-// HAS_BLINN_PHONG, HAS_BECKMANN, HAS_STRAUSS.
+// HAS_BLINN_PHONG, HAS_BECKMANN, HAS_STRAUSS, and HAS_COATS of lib/coat.glsl.
 #ifndef BSDF_GLSL
 #define BSDF_GLSL
 
 #ifndef __cplusplus  // see glsl.h
-#pragma import_defines(HAS_PHONG, HAS_COOK_TORRANCE, HAS_BLINN_PHONG, HAS_BECKMANN, HAS_STRAUSS)
+#pragma import_defines(HAS_PHONG, HAS_COOK_TORRANCE, HAS_BLINN_PHONG, HAS_BECKMANN, HAS_STRAUSS, HAS_COATS)
 #endif
-#if defined(HAS_COOK_TORRANCE) || defined(HAS_BLINN_PHONG) || defined(HAS_BECKMANN)
+#if defined(HAS_COOK_TORRANCE) || defined(HAS_COATS)
+#define HAS_GGX
+#endif
+#if defined(HAS_GGX) || defined(HAS_BLINN_PHONG) || defined(HAS_BECKMANN)
 #define HAS_MICROFACETS
 #endif
 
@@ -29,10 +32,22 @@ struct Bsdf {
     vec3 body;       // share that reaches the Lambert layer
 };
 
-// Lobes that normals half-way to the light make, and not a power of the angle to the mirror direction.
+// Lobes that normals half-way to the light make.
 bool isMicrofacets(int brdf)
 {
     return brdf == BRDF_COOK_TORRANCE || brdf == BRDF_BECKMANN || brdf == BRDF_BLINN_PHONG;
+}
+
+// Which block of the albedo table is theirs.
+int albedoBlock(int brdf)
+{
+    return brdf == BRDF_COOK_TORRANCE ? 0 : brdf == BRDF_BECKMANN ? 1 : 2;
+}
+
+// Lobes that are a power of the angle to the mirror direction.
+bool isMirrored(int brdf)
+{
+    return brdf == BRDF_PHONG || brdf == BRDF_STRAUSS;
 }
 
 // Factor for what a single bounce between microfacets loses: specular.md, 7.
@@ -60,10 +75,10 @@ Bsdf makeBsdf(int brdf, vec3 f0, float roughness, vec2 table)
         b.reflected = f0 * (table.x + table.y) * b.energy;
     }
 #endif
-#if defined(HAS_COOK_TORRANCE) || defined(HAS_BECKMANN)
+#if defined(HAS_GGX) || defined(HAS_BECKMANN)
     if (brdf == BRDF_COOK_TORRANCE || brdf == BRDF_BECKMANN) {
         b.energy = multipleScattering(f0, table.x + table.y);
-        b.reflected = (f0 * table.x + table.y) * b.energy;
+        b.reflected = (f0 * table.x + fresnelGrazing(f0) * table.y) * b.energy;
         b.body = max(1.0 - b.reflected, vec3(0.0));
     }
 #endif
@@ -138,7 +153,7 @@ vec3 bsdfMirrored(Bsdf b, float cosV, float cosL)
 vec3 bsdfLobe(Bsdf b, vec3 v, vec3 l)
 {
 #if defined(HAS_PHONG) || defined(HAS_STRAUSS)
-    if (b.brdf == BRDF_PHONG || b.brdf == BRDF_STRAUSS)
+    if (isMirrored(b.brdf))
         return bsdfMirrored(b, v.z, l.z) * phongBrdf(vec3(-v.x, -v.y, v.z), l, phongExponent(b.roughness));
 #endif
 #ifdef HAS_MICROFACETS

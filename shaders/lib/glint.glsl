@@ -164,7 +164,7 @@ float microfacetDisc(Bsdf b, vec3 s, vec3 v, float radius)
     SlopeDisc d = slopeDisc(s, v, radius);
     float alpha = b.roughness * b.roughness;
     float share = 0.0;
-#ifdef HAS_COOK_TORRANCE
+#ifdef HAS_GGX
     if (b.brdf == BRDF_COOK_TORRANCE) share = ggxShareOfDisc(d, alpha);
 #endif
 #ifdef HAS_BECKMANN
@@ -221,7 +221,7 @@ float phongDisc(vec3 r, vec3 s, float exponent, float radius)
 vec3 bsdfDisc(Bsdf b, vec3 s, vec3 v, float radius)
 {
 #if defined(HAS_PHONG) || defined(HAS_STRAUSS)
-    if (b.brdf == BRDF_PHONG || b.brdf == BRDF_STRAUSS) {
+    if (isMirrored(b.brdf)) {
         float n = phongExponent(b.roughness);
         float cosine = discIrradianceOverPi(s.z, radius) / (sin(radius) * sin(radius));
         return bsdfMirrored(b, v.z, max(s.z, 0.0)) * (n + 2.0) / TWO_PI * phongDisc(vec3(-v.x, -v.y, v.z), s, n, radius) * cosine;

@@ -14,8 +14,9 @@ const int PROBE_SIDE = 16;        // points that are read back along each side o
 
 // A pass that draws pixels of a mark draws those of lower ones, too.
 const float MARK_STEP = 0.125;
-const float MARK_TRACED = 0.125;  // a surface with a lobe that is narrow enough to search the picture for what it shows
-const float MARK_GLOSSY = 0.25;   // a surface with a lobe
+const float MARK_COATED = 0.125;  // a surface with a clear coat
+const float MARK_TRACED = 0.25;   // a surface with a lobe that is narrow enough to search the picture for what it shows
+const float MARK_GLOSSY = 0.375;  // a surface with a lobe
 const float MARK_SURFACE = 0.5;
 const float MARK_NONE = 1.0;
 

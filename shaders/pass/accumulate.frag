@@ -7,7 +7,7 @@
 
 #include "lib/frame.glsl"
 #include "lib/tone.glsl"
-#include "pass/albedo.glsl"
+#include "pass/pixelbsdf.glsl"
 #include "pass/atlas.glsl"
 #include "pass/lobewidth.glsl"
 #include "pass/picture.glsl"
@@ -30,7 +30,7 @@ Lobe lobeAt(ivec2 p, vec3 n)
     float roughness = texelFetch(normalMap, p, 0).a;
     lobe.eyeFromLocal = frameAround(n);
     lobe.v = pixelView(p, lobe.eyeFromLocal);
-    lobe.bsdf = bsdfOf(pixelBrdf(p), texelFetch(specularMap, p, 0).rgb, roughness, lobe.v.z);
+    lobe.bsdf = pixelBsdf(p, lobe.v.z);
     lobe.share = lightedShare(roughness);
     return lobe;
 }
@@ -58,7 +58,7 @@ vec3 surface(ivec2 p)
         else if (isGlossy)
             kept += e * bsdfLobe(lobe.bsdf, lobe.v, transpose(lobe.eyeFromLocal) * direction);
     }
-    vec3 rho = texelFetch(albedoMap, p, 0).rgb * texelFetch(diffuseTermMap, p, 0).a * (INV_PI * radianceScale);
+    vec3 rho = pixelAlbedo(p) * texelFetch(diffuseTermMap, p, 0).a * (INV_PI * radianceScale);
     vec3 diffuse = rho * num + ambientVisibility(p) * (diffuseTerm(p) + sunDiffuse(p) - rho * den);
     vec3 specular = specularTerm(p) - lobe.share * kept * radianceScale;
     return emitted(p) + diffuse + specular + bounce(p);

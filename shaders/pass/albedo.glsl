@@ -17,7 +17,7 @@ vec2 lobeAlbedo(int brdf, float roughness, float cosV)
     if (isMicrofacets(brdf)) {
         vec2 size = vec2(textureSize(albedoTable, 0));
         vec2 st = vec2(roughness, sqrt(clamp(cosV, 0.0, 1.0))) * (size.y - 1.0) + 0.5;
-        st.x += size.y * float(brdf == BRDF_COOK_TORRANCE ? 0 : brdf == BRDF_BECKMANN ? 1 : 2);
+        st.x += size.y * float(albedoBlock(brdf));
         return textureLod(albedoTable, st / size, 0.0).rg;
     }
 #endif

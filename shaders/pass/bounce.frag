@@ -37,6 +37,6 @@ void main()
             alongX += n.x * r;
             alongY += n.y * r;
             alongZ += n.z * r;
-            sentOn += weight * blocked * vec4(texelFetch(albedoMap, p, 0).rgb * texelFetch(diffuseTermMap, p, 0).a, 0.0);
+            sentOn += weight * blocked * vec4(pixelAlbedo(p) * texelFetch(diffuseTermMap, p, 0).a, 0.0);
         }
 }

@@ -66,7 +66,7 @@ vec3 termView(ivec2 p, vec3 d, float pixel)
     if (view == VIEW_DIFFUSE) return diffuseTerm(p) + sunDiffuse(p);
     if (view == VIEW_SPECULAR) return specularTerm(p);
     if (view == VIEW_OCCLUSION) return diffuseTerm(p) - occludedDiffuse(p) + sunDiffuse(p) - sunShaded(p);
-    if (view == VIEW_ALBEDO) return texelFetch(albedoMap, p, 0).rgb;
+    if (view == VIEW_ALBEDO) return pixelAlbedo(p);
     if (view == VIEW_NORMAL) return 0.5 * (mapFromEye * pixelNormal(p)) + 0.5;
     if (view == VIEW_DEPTH) return vec3(-pixelEye(p).z / (4.0 * sceneRadius));
     if (view == VIEW_EMISSION) return emitted(p);

@@ -6,7 +6,7 @@
 
 #include "lib/constants.glsl"
 #include "pass/gbuffer.glsl"
-#include "pass/albedo.glsl"
+#include "pass/pixelbsdf.glsl"
 #include "pass/irradiance.glsl"
 #ifdef HAS_SUNS
 #include "pass/suns.glsl"
@@ -31,12 +31,11 @@ void main()
 #endif
 #endif
     vec3 n = pixelNormal(p);
-    vec3 rho = texelFetch(albedoMap, p, 0).rgb;
+    vec3 rho = pixelAlbedo(p);
     float share = 1.0;  // of the albedo that diffuse light meets
-#if defined(HAS_COOK_TORRANCE) || defined(HAS_BECKMANN) || defined(HAS_STRAUSS)
+#if defined(HAS_COOK_TORRANCE) || defined(HAS_BECKMANN) || defined(HAS_STRAUSS) || defined(HAS_COATS)
     // What the lobe reflects never reaches the layer below.
-    Bsdf b = bsdfOf(pixelBrdf(p), texelFetch(specularMap, p, 0).rgb, texelFetch(normalMap, p, 0).a,
-                    -dot(n, viewRay(inverseProjection, pixelNdc(p))));
+    Bsdf b = pixelBsdf(p, -dot(n, viewRay(inverseProjection, pixelNdc(p))));
     rho *= b.body;
     share = dot(b.body, vec3(1.0 / 3.0));
 #endif

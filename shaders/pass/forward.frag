@@ -3,7 +3,7 @@
 // Transparent surfaces of the host, drawn after the composite in its own bins: the same environment functions, one
 // look-up for the lobe in place of the importance samples. What hides light from them the shadow maps say: of the sky's each
 // pixel of a 2x2 cell asks a quarter, and the cell shares what its four know; of each sun's disc eight points.
-#pragma import_defines(HAS_SPECULAR, HAS_SUNS, SUN_DIFFUSE, HAS_ATLAS, HAS_SUN_MAPS, HAS_BOUNCE, HAS_SCENE_LIGHTS)
+#pragma import_defines(HAS_COATS, HAS_SPECULAR, HAS_SUNS, SUN_DIFFUSE, HAS_ATLAS, HAS_SUN_MAPS, HAS_BOUNCE, HAS_SCENE_LIGHTS)
 
 #include "lib/frame.glsl"
 #include "lib/limits.glsl"
@@ -117,39 +117,70 @@ float sunShare(int sun, Surface s)
 }
 #endif
 
+// What a surface is made of, its coat and what is below. Without a coat that reflects nothing.
+struct Layers {
+    Bsdf base;
+#ifdef HAS_COATS
+    Bsdf coat;
+#endif
+};
+
+Layers layersOf(Surface s)
+{
+    Layers layers;
+    layers.base = bsdfOf(s.brdf, s.f0, s.roughness, max(-dot(s.normal, s.ray), 1e-4));
+#ifdef HAS_COATS
+    vec2 table = lobeAlbedo(BRDF_COOK_TORRANCE, s.coat.roughness, max(-dot(s.coatNormal, s.ray), 1e-4));
+    layers.coat = coatBsdf(s.coat, table);
+    layers.base = belowCoat(layers.base, layers.coat.reflected);
+#endif
+    return layers;
+}
+
+// The direction to the eye in the frame about a normal, above the surface.
+vec3 localView(vec3 ray, mat3 frame)
+{
+    vec3 v = -ray * frame;
+    return normalize(vec3(v.xy, max(v.z, 1e-4)));
+}
+
 #ifdef HAS_SCENE_LIGHTS
-// What the surface's lobe sends to the eye of the application's lights, and what its Lambert layer receives, over pi.
-void addSceneLights(Surface s, Bsdf b, inout vec3 glint, inout vec3 received)
+// What the surface's lobes send to the eye of the application's lights, and what its Lambert layer receives, over pi.
+void addSceneLights(Surface s, Layers layers, inout vec3 glint, inout vec3 received)
 {
     mat3 eyeFromLocal = frameAround(s.normal);
-    vec3 v = -s.ray * eyeFromLocal;
-    v.z = max(v.z, 1e-4);
-    v = normalize(v);
+    vec3 v = localView(s.ray, eyeFromLocal);
+#ifdef HAS_COATS
+    mat3 eyeFromCoat = frameAround(s.coatNormal);
+    vec3 coatView = localView(s.ray, eyeFromCoat);
+#endif
     for (int i = 0; i < sceneLightCount; ++i) {
         vec3 direction;
         vec3 light = sceneLightAt(i, eyePosition, direction);
         vec3 l = direction * eyeFromLocal;
         received += light * lightLambert(vec3(1.0), l);
-        glint += light * lightLobe(b, v, l);
+        glint += light * lightLobe(layers.base, v, l);
+#ifdef HAS_COATS
+        glint += light * lightLobe(layers.coat, coatView, direction * eyeFromCoat);
+#endif
     }
 }
 #endif
 
 #ifdef HAS_SPECULAR
 // What the lobe sends to the eye of the map, over its albedo. Half of a GGX lobe's energy lies within a cone of about tan = alpha.
-vec3 mirrored(Surface s)
+vec3 mirrored(Bsdf b, vec3 ray, vec3 normal)
 {
-    float lod = log2(max(s.roughness * s.roughness * pyramidSide, 1.0));
-    return pyramidLookup(pyramidMap, pyramidSide, pyramidLastLevel, mapFromEyeForward * reflect(s.ray, s.normal), lod);
+    float lod = log2(max(b.roughness * b.roughness * pyramidSide, 1.0));
+    return pyramidLookup(pyramidMap, pyramidSide, pyramidLastLevel, mapFromEyeForward * reflect(ray, normal), lod);
 }
 #endif
 
 void main()
 {
     Surface s = readSurface();
-    vec3 v = -s.ray;
-    float cosV = max(dot(s.normal, v), 1e-4);
-    Bsdf b = bsdfOf(s.brdf, s.f0, s.roughness, cosV);
+    Layers layers = layersOf(s);
+    Bsdf b = layers.base;
     vec3 radiance = s.emission;
     float alpha = s.alpha;
     vec3 mapNormal = mapFromEyeForward * s.normal;
@@ -158,10 +189,15 @@ void main()
     vec3 sunGlint = vec3(0.0);
 #ifdef HAS_SUNS
     mat3 mapFromLocal = frameAround(mapNormal);
-    vec3 local = mapFromEyeForward * v * mapFromLocal;
-    local = normalize(vec3(local.xy, max(local.z, 1e-4)));
+    vec3 local = localView(mapFromEyeForward * s.ray, mapFromLocal);
     Bsdf shiny = b;  // a sun's mirror image is a disc of few pixels
     shiny.roughness = max(b.roughness, 0.03);
+#ifdef HAS_COATS
+    mat3 mapFromCoat = frameAround(mapFromEyeForward * s.coatNormal);
+    vec3 coatLocal = localView(mapFromEyeForward * s.ray, mapFromCoat);
+    Bsdf shinyCoat = layers.coat;
+    shinyCoat.roughness = max(shinyCoat.roughness, 0.03);
+#endif
     for (int i = 0; i < sunCount; ++i) {
         vec3 sun = sunShare(i, s) * sunRadiance[i];
 #ifdef SUN_DIFFUSE
@@ -169,24 +205,35 @@ void main()
 #endif
 #ifdef HAS_SPECULAR
         sunGlint += sun * bsdfDisc(shiny, sunDirection[i] * mapFromLocal, local, sunRadius[i]);
+#ifdef HAS_COATS
+        sunGlint += sun * bsdfDisc(shinyCoat, sunDirection[i] * mapFromCoat, coatLocal, sunRadius[i]);
+#endif
 #endif
     }
 #endif
     vec3 sceneGlint = vec3(0.0);
     vec3 sceneReceived = vec3(0.0);
 #ifdef HAS_SCENE_LIGHTS
-    addSceneLights(s, b, sceneGlint, sceneReceived);
+    addSceneLights(s, layers, sceneGlint, sceneReceived);
 #endif
     if (s.brdf != BRDF_LAMBERT) {
         vec3 glint = sceneGlint;
+        vec3 reflected = b.reflected;
+#ifdef HAS_COATS
+        reflected += layers.coat.reflected;
+#endif
 #ifdef HAS_SPECULAR
-        glint += (b.reflected * mirrored(s) * seen.lobe + sunGlint) * radianceScale;
+        vec3 sky = b.reflected * mirrored(b, s.ray, s.normal);
+#ifdef HAS_COATS
+        sky += layers.coat.reflected * mirrored(layers.coat, s.ray, s.coatNormal);
+#endif
+        glint += (sky * seen.lobe + sunGlint) * radianceScale;
 #ifdef HAS_BOUNCE
-        glint += b.reflected * (1.0 - seen.lobe) * meanRadiance(reflect(s.ray, s.normal));
+        glint += reflected * (1.0 - seen.lobe) * meanRadiance(reflect(s.ray, s.normal));
 #endif
 #endif
         // A reflection does not fade with the body's transparency: blending multiplies by alpha, so alpha rises with it.
-        float strength = max(b.reflected.r, max(b.reflected.g, b.reflected.b));
+        float strength = max(reflected.r, max(reflected.g, reflected.b));
         alpha = mix(s.alpha, 1.0, clamp(strength, 0.0, 1.0));
         radiance += glint / max(alpha, 1e-3);
     }

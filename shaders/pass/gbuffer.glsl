@@ -2,9 +2,12 @@
 // Reading the G-buffer in a full-screen pass.
 #ifndef GBUFFER_GLSL
 #define GBUFFER_GLSL
+#pragma import_defines(HAS_COATS)
 
 #include "lib/brdfs.glsl"
 #include "lib/depth.glsl"
+#include "lib/fresnel.glsl"
+#include "lib/octahedral.glsl"
 
 uniform sampler2D albedoMap;
 uniform sampler2D normalMap;
@@ -97,9 +100,51 @@ vec3 pixelView(ivec2 p, mat3 eyeFromLocal)
     return normalize(v);
 }
 
+// Number of the BRDF in the bits 8 to 10. The others are 0, or say how the coat of a coated surface is.
+uint pixelKind(ivec2 p)
+{
+    return uint(texelFetch(specularMap, p, 0).a * 65535.0 + 0.5);
+}
+
+#ifdef HAS_COATS
+bool isCoated(ivec2 p)
+{
+    return int(pixelKind(p) >> 8 & 7u) == BRDF_COATED;
+}
+
+vec3 pixelCoatNormal(ivec2 p)
+{
+    return directionFromOctahedral(texelFetch(specularMap, p, 0).gb);
+}
+#endif
+
+// Of a coated surface what is below the coat.
 int pixelBrdf(ivec2 p)
 {
-    return int(texelFetch(specularMap, p, 0).a * 255.0 + 0.5);
+    int brdf = int(pixelKind(p) >> 8 & 7u);
+#ifdef HAS_COATS
+    if (brdf == BRDF_COATED) return BRDF_COOK_TORRANCE;
+#endif
+    return brdf;
+}
+
+vec3 pixelAlbedo(ivec2 p)
+{
+    vec3 albedo = texelFetch(albedoMap, p, 0).rgb;
+#ifdef HAS_COATS
+    if (isCoated(p)) albedo *= 1.0 - texelFetch(specularMap, p, 0).r;
+#endif
+    return albedo;
+}
+
+// Reflectance of the lobe at normal incidence.
+vec3 pixelF0(ivec2 p)
+{
+    vec3 f0 = texelFetch(specularMap, p, 0).rgb;
+#ifdef HAS_COATS
+    if (isCoated(p)) return mix(vec3(DIELECTRIC_F0), texelFetch(albedoMap, p, 0).rgb, f0.r);
+#endif
+    return f0;
 }
 
 #endif

@@ -5,8 +5,8 @@
 
 #include "lib/bilateral.glsl"
 #include "pass/gbuffer.glsl"
-#include "pass/albedo.glsl"
 #include "pass/lobewidth.glsl"
+#include "pass/pixelbsdf.glsl"
 
 // The pixel whose sums are averaged.
 struct LobeReceiver {
@@ -38,13 +38,6 @@ float lobeNeighbour(LobeReceiver r, ivec2 q, float distance, out float turn)
     vec3 n = there.xyz * 2.0 - 1.0;
     turn = lobeTurn(r.normal - n, distance * r.viewTurn);
     return depth < 1.0 ? alikeWeight(r.roughness - there.a) * surfaceWeight(planeDistance(r.plane, q, depth), dot(r.normal, n)) : 0.0;
-}
-
-// The directional albedo of a pixel's lobe.
-vec3 pixelReflected(ivec2 p)
-{
-    float cosV = -dot(pixelNormal(p), viewRay(inverseProjection, pixelNdc(p)));
-    return bsdfOf(pixelBrdf(p), texelFetch(specularMap, p, 0).rgb, texelFetch(normalMap, p, 0).a, max(cosV, 1e-4)).reflected;
 }
 
 #endif

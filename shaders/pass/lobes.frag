@@ -2,7 +2,7 @@
 #extension GL_ARB_shading_language_packing : require
 // SPDX-License-Identifier: MIT
 // S, last part: the rows' sums filtered along columns. The map's radiance in the lobe is a ratio of two sums, so that an even map is
-// reflected exactly. What the scene leaves of it is a ratio of sums over lights, one for each colour [specular.md 4]. Suns are added.
+// reflected exactly. What the scene leaves of it is a ratio of sums over lights, one for each colour [specular.md 4]. Suns and coats are added.
 // LOBES_SHARP: a still view's later frames average over time instead, and take what is blocked light by light.
 #pragma import_defines(HAS_SUNS, LOBES_SHARP, HAS_SHOWN, KEEPS_SHOWN)
 
@@ -14,6 +14,9 @@ uniform sampler2D sunGlintMap;
 #ifdef HAS_SHOWN
 uniform sampler2D shownMap;
 #endif
+#ifdef HAS_COATS
+uniform sampler2D coatTermMap;
+#endif
 
 layout(location = 0) out vec4 specular;
 #ifdef HAS_LOBE_LIGHTS
@@ -22,11 +25,6 @@ layout(location = 1) out vec4 blockedLobe;  // rgb: the lobe's albedo times alph
 layout(location = 2) out vec4 shownLobe;
 #endif
 #endif
-
-vec3 ratio(vec3 num, vec3 den, float none)
-{
-    return vec3(den.r > 0.0 ? num.r / den.r : none, den.g > 0.0 ? num.g / den.g : none, den.b > 0.0 ? num.b / den.b : none);
-}
 
 void main()
 {
@@ -43,9 +41,9 @@ void main()
     LobeSums sums = filteredLobes(p, ivec2(0, 1));
     vec4 estimate = sums.estimate;
 #ifdef HAS_LOBE_LIGHTS
-    float sky = sums.lights.sky.y > 0.0 ? sums.lights.sky.x / sums.lights.sky.y : 1.0;
-    shown = ratio(sums.lights.seen, sums.lights.all, sky);
-    blockedLobe = (1.0 - sky) * vec4(reflected, 1.0);
+    LobeSeen seen = lobeSeen(sums.lights);
+    shown = seen.light;
+    blockedLobe = (1.0 - seen.sky) * vec4(reflected, 1.0);
 #ifdef KEEPS_SHOWN
     shownLobe = vec4(shown, 1.0);
 #endif
@@ -55,5 +53,8 @@ void main()
     specular = vec4(mean * shown * reflected, 1.0);
 #ifdef HAS_SUNS
     specular.rgb += texelFetch(sunGlintMap, p, 0).rgb;
+#endif
+#ifdef HAS_COATS
+    specular.rgb += texelFetch(coatTermMap, p, 0).rgb;
 #endif
 }

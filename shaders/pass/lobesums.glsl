@@ -26,4 +26,20 @@ LobeLights unpackLobeLights(uvec4 texel)
     return LobeLights(vec3(unpackHalf2x16(texel.x), middle.x), vec3(middle.y, unpackHalf2x16(texel.z)), unpackHalf2x16(texel.w));
 }
 
+// What is seen of all: the share of the map's light in the lobe, by colour and by directions.
+struct LobeSeen {
+    vec3 light;
+    float sky;
+};
+
+LobeSeen lobeSeen(LobeLights sums)
+{
+    float sky = sums.sky.y > 0.0 ? sums.sky.x / sums.sky.y : 1.0;
+    vec3 light = vec3(sky);
+    if (sums.all.r > 0.0) light.r = sums.seen.r / sums.all.r;
+    if (sums.all.g > 0.0) light.g = sums.seen.g / sums.all.g;
+    if (sums.all.b > 0.0) light.b = sums.seen.b / sums.all.b;
+    return LobeSeen(light, sky);
+}
+
 #endif

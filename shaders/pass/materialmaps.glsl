@@ -2,9 +2,16 @@
 // Textures of osgEnvLight::Material beside the base colour, each with coordinates of its own.
 #ifndef MATERIALMAPS_GLSL
 #define MATERIALMAPS_GLSL
-#pragma import_defines(NORMAL_MAP, METAL_ROUGH_MAP, EMISSION_MAP)
+#pragma import_defines(NORMAL_MAP, METAL_ROUGH_MAP, EMISSION_MAP, COAT_MAP, COAT_ROUGHNESS_MAP, COAT_NORMAL_MAP)
 
 #if defined(NORMAL_MAP) || defined(METAL_ROUGH_MAP) || defined(EMISSION_MAP)
+#define HAS_MAPS
+#endif
+#if defined(COAT_MAP) || defined(COAT_ROUGHNESS_MAP) || defined(COAT_NORMAL_MAP)
+#define HAS_MAPS
+#endif
+
+#ifdef HAS_MAPS
 in vec4 mapCoordinates;  // of the arrays 0 and 1
 
 vec2 mapCoordinate(int set, mat3 transform)
@@ -13,29 +20,36 @@ vec2 mapCoordinate(int set, mat3 transform)
 }
 #endif
 
-#ifdef NORMAL_MAP
-uniform sampler2D envlightNormalMap;
-uniform int envlightNormalMapTexCoord;
-uniform mat3 envlightNormalMapTransform;
-uniform float envlightNormalScale;
-uniform float envlightNormalUp;  // -1: the second coordinate is 0 at the picture's top
-
-// The unit normal n about which the map turns it, in tangents that follow from the coordinates [Schueler, GPU Pro 4 (2013)];
-// n where they do not change.
-vec3 mappedNormal(vec3 n, vec3 eye)
+#if defined(NORMAL_MAP) || defined(COAT_NORMAL_MAP)
+// The unit normal n about which a texel turns it, in tangents that follow from the coordinates [Schueler, GPU Pro 4 (2013)];
+// n where they do not change. up: -1 if the second coordinate is 0 at the picture's top.
+vec3 bentNormal(vec3 n, vec3 eye, vec2 st, vec3 texel, float scale, float up)
 {
-    vec2 st = mapCoordinate(envlightNormalMapTexCoord, envlightNormalMapTransform);
     vec3 across = cross(dFdy(eye), n);
     vec3 along = cross(n, dFdx(eye));
     vec3 t = across * dFdx(st).x + along * dFdy(st).x;
     vec3 b = across * dFdx(st).y + along * dFdy(st).y;
     float size2 = max(dot(t, t), dot(b, b));
     if (!(size2 > 0.0)) return n;
-    vec3 m = texture(envlightNormalMap, st).xyz * 2.0 - 1.0;
-    m.xy *= envlightNormalScale * inversesqrt(size2);
-    vec3 mapped = m.x * t + (envlightNormalUp < 0.0 ? -m.y : m.y) * b + m.z * n;
-    float size = length(mapped);
-    return size > 0.0 ? mapped / size : n;
+    vec3 m = texel * 2.0 - 1.0;
+    m.xy *= scale * inversesqrt(size2);
+    vec3 bent = m.x * t + (up < 0.0 ? -m.y : m.y) * b + m.z * n;
+    float size = length(bent);
+    return size > 0.0 ? bent / size : n;
+}
+#endif
+
+#ifdef NORMAL_MAP
+uniform sampler2D envlightNormalMap;
+uniform int envlightNormalMapTexCoord;
+uniform mat3 envlightNormalMapTransform;
+uniform float envlightNormalScale;
+uniform float envlightNormalUp;
+
+vec3 mappedNormal(vec3 n, vec3 eye)
+{
+    vec2 st = mapCoordinate(envlightNormalMapTexCoord, envlightNormalMapTransform);
+    return bentNormal(n, eye, st, texture(envlightNormalMap, st).xyz, envlightNormalScale, envlightNormalUp);
 }
 #endif
 
@@ -59,6 +73,45 @@ uniform mat3 envlightEmissionMapTransform;
 vec3 mappedEmission()
 {
     return srgbDecode3(texture(envlightEmissionMap, mapCoordinate(envlightEmissionMapTexCoord, envlightEmissionMapTransform)).rgb);
+}
+#endif
+
+#ifdef COAT_MAP
+uniform sampler2D envlightCoatMap;
+uniform int envlightCoatMapTexCoord;
+uniform mat3 envlightCoatMapTransform;
+
+// Factor of the coat's strength.
+float mappedCoat()
+{
+    return texture(envlightCoatMap, mapCoordinate(envlightCoatMapTexCoord, envlightCoatMapTransform)).r;
+}
+#endif
+
+#ifdef COAT_ROUGHNESS_MAP
+uniform sampler2D envlightCoatRoughnessMap;
+uniform int envlightCoatRoughnessMapTexCoord;
+uniform mat3 envlightCoatRoughnessMapTransform;
+
+// Factor of the coat's roughness.
+float mappedCoatRoughness()
+{
+    vec2 st = mapCoordinate(envlightCoatRoughnessMapTexCoord, envlightCoatRoughnessMapTransform);
+    return texture(envlightCoatRoughnessMap, st).g;
+}
+#endif
+
+#ifdef COAT_NORMAL_MAP
+uniform sampler2D envlightCoatNormalMap;
+uniform int envlightCoatNormalMapTexCoord;
+uniform mat3 envlightCoatNormalMapTransform;
+uniform float envlightCoatNormalScale;
+uniform float envlightCoatNormalUp;
+
+vec3 mappedCoatNormal(vec3 n, vec3 eye)
+{
+    vec2 st = mapCoordinate(envlightCoatNormalMapTexCoord, envlightCoatNormalMapTransform);
+    return bentNormal(n, eye, st, texture(envlightCoatNormalMap, st).xyz, envlightCoatNormalScale, envlightCoatNormalUp);
 }
 #endif
 

@@ -26,7 +26,7 @@
 #include "lib/visibility.glsl"
 #include "pass/gbuffer.glsl"
 #include "pass/lightsums.glsl"
-#include "pass/lobesums.glsl"
+#include "pass/lobelights.glsl"
 #include "pass/lobewidth.glsl"
 #ifdef HAS_ATLAS
 #include "pass/atlas.glsl"
@@ -147,65 +147,17 @@ int bitNumber(uint bit)
 }
 
 #ifdef HAS_LOBES
-// A pixel's lobe in the frame of the lights.
-struct Lobe {
-    mat3 lightsFromLocal;
-    vec3 view;      // local
-    Bsdf bsdf;
-    float dealt;    // weight of the lights that are not near it: in a narrow lobe's tails a pixel has too few, and they are noise
-    int near;       // how many lights near its direction each pixel evaluates
-    uvec4 nearest;  // their numbers, as in nearestLightMap
-    uint nearOwn;   // bit i: light i of the pixel's own group is one of them
-};
-
-// Number of the k-th near light. No component is chosen by an index: software renderers would keep the vector in memory.
-int nearLight(Lobe lobe, int k)
+PixelLobe lobeAt(ivec2 p, vec3 normal, int group)
 {
-    uvec2 two = k < 8 ? lobe.nearest.xy : lobe.nearest.zw;
-    return int(((k & 4) == 0 ? two.x : two.y) >> uint(8 * (k & 3)) & 255u);
-}
-
-Lobe lobeAt(ivec2 p, vec3 normal, int group)
-{
-    Lobe lobe;
     mat3 eyeFromLocal = frameAround(normal);
-    lobe.lightsFromLocal = lightsFromEye() * eyeFromLocal;
-    lobe.view = pixelView(p, eyeFromLocal);
-    // Narrower lobes would see the nearest light alone, and show a step where another becomes the nearest.
-    float roughness = max(texelFetch(normalMap, p, 0).a, 0.1);
+    float roughness = max(texelFetch(normalMap, p, 0).a, LEAST_LIT_ROUGHNESS);
     // What several scatterings add is the same for all lights.
-    lobe.bsdf = makeBsdf(pixelBrdf(p), texelFetch(specularMap, p, 0).rgb, roughness, vec2(1.0, 0.0));
-    lobe.dealt = smoothstep(DEALT_ROUGHNESS.x, DEALT_ROUGHNESS.y, roughness);
-    lobe.near = 0;
-    lobe.nearest = uvec4(0u);
-    lobe.nearOwn = 0u;
+    Bsdf bsdf = makeBsdf(pixelBrdf(p), pixelF0(p), roughness, vec2(1.0, 0.0));
+    PixelLobe lobe = pixelLobe(lightsFromEye() * eyeFromLocal, pixelView(p, eyeFromLocal), bsdf);
 #ifdef HAS_ATLAS
-    if (roughness >= NEAR_LIGHTS_ROUGHNESS || lobe.bsdf.brdf == BRDF_LAMBERT) return lobe;
-    int side = textureSize(nearestLightMap, 0).y;
-    vec3 d = lobe.lightsFromLocal * vec3(-lobe.view.x, -lobe.view.y, lobe.view.z);
-    ivec2 cell = min(ivec2(octahedralFromDirection(d) * float(side)), side - 1);
-    lobe.near = NEAREST_LIGHTS;
-    lobe.nearest = texelFetch(nearestLightMap, cell, 0);
-    for (int k = 0; k < NEAREST_LIGHTS; ++k) {
-        int light = nearLight(lobe, k);
-        if (light % LIGHT_GROUPS == group) lobe.nearOwn |= 1u << uint(light / LIGHT_GROUPS);
-    }
+    if (roughness < NEAR_LIGHTS_ROUGHNESS && bsdf.brdf != BRDF_LAMBERT) lobe = withNearLights(lobe, group);
 #endif
     return lobe;
-}
-
-// flux: of the light, times the cosine; direction: unit; count: of lights that it stands for.
-void addToLobe(Lobe lobe, vec4 flux, vec3 direction, bool isSeen, float count, inout LobeLights sums)
-{
-    vec3 l = direction * lobe.lightsFromLocal;
-    float alpha = lobe.bsdf.roughness * lobe.bsdf.roughness;
-    // Times alpha^2, about one over the lobe's peak: the sums are kept in half floats.
-    vec3 e = flux.rgb * bsdfLobe(lobe.bsdf, lobe.view, l) * (count * alpha * alpha);
-    float s = flux.a * lobeShare(lobe.view, l, alpha) * count;
-    float seen = isSeen ? 1.0 : 0.0;
-    sums.seen += seen * e;
-    sums.all += e;
-    sums.sky += s * vec2(seen, 1.0);
 }
 #endif
 
@@ -255,7 +207,7 @@ void main()
     RayMarch march = pixelRays(receiver);
 #endif
 #ifdef HAS_LOBES
-    Lobe lobe = lobeAt(p, receiver.normal, group);
+    PixelLobe lobe = lobeAt(p, receiver.normal, group);
     LobeLights lobeLights = LobeLights(vec3(0.0), vec3(0.0), vec2(0.0));
 #endif
 #ifdef HAS_ATLAS
@@ -308,15 +260,7 @@ void main()
     }
 #endif
 #if defined(HAS_LOBES) && defined(HAS_ATLAS)
-    for (int k = 0; k < lobe.near; ++k) {
-        int number = nearLight(lobe, k);
-        AtlasLight light = atlasLight(number % LIGHT_GROUPS, number / LIGHT_GROUPS);
-        float c = dot(normal, light.direction);
-        if (c <= 0.0) continue;
-        // At the rim of round bodies the maps' texels hide the surface from lights that graze it.
-        bool seen = atlasSees(light, point, normal, c) > 0.5;
-        addToLobe(lobe, c * vec4(light.flux, light.solidAngle), light.direction, seen, smoothstep(0.0, 0.1, c), lobeLights);
-    }
+    addNearLights(lobe, point, normal, lobeLights);
 #endif
 #ifdef HAS_LOBES
     lobeTexel = packLobeLights(lobeLights);

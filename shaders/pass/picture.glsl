@@ -16,6 +16,7 @@ uniform sampler2D specularTermMap;
 uniform sampler2D reflectedMap;  // what the scene sends into the lobe
 #else
 uniform sampler2D blockedLobeMap;
+uniform sampler2D blockedCoatMap;
 #endif
 uniform sampler2D latlongMap;
 uniform sampler2D pyramidMap;
@@ -49,13 +50,17 @@ vec3 bounce(ivec2 p)
     vec3 sent = vec3(0.0);
     vec3 n = pixelNormal(p);
 #ifdef HAS_BOUNCE
-    vec3 rho = texelFetch(albedoMap, p, 0).rgb * texelFetch(diffuseTermMap, p, 0).a;
+    vec3 rho = pixelAlbedo(p) * texelFetch(diffuseTermMap, p, 0).a;
     sent += rho * (1.0 - ambientVisibility(p)) * meanRadiance(n);
 #endif
 #if defined(HAS_REFLECTED)
     sent += texelFetch(reflectedMap, p, 0).rgb;
 #elif defined(HAS_LOBES) && defined(HAS_BOUNCE)
-    sent += texelFetch(blockedLobeMap, p, 0).rgb * meanRadiance(reflect(viewRay(inverseProjection, pixelNdc(p)), n));
+    vec3 ray = viewRay(inverseProjection, pixelNdc(p));
+    sent += texelFetch(blockedLobeMap, p, 0).rgb * meanRadiance(reflect(ray, n));
+#ifdef HAS_COATS
+    if (isCoated(p)) sent += texelFetch(blockedCoatMap, p, 0).rgb * meanRadiance(reflect(ray, pixelCoatNormal(p)));
+#endif
 #endif
     return sent;
 }

@@ -1,6 +1,6 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// Marks for the depth test of the passes after this one: does a pixel show a surface, has that a lobe, and a narrow one?
+// Marks for the depth test of the passes after this one: does a pixel show a surface, has that a lobe, a narrow one, a coat?
 #pragma import_defines(HAS_LOBES)
 
 #include "lib/limits.glsl"
@@ -13,6 +13,9 @@ void main()
     float mark = MARK_SURFACE;
 #ifdef HAS_LOBES
     if (pixelBrdf(p) != BRDF_LAMBERT) mark = texelFetch(normalMap, p, 0).a < TRACED_ROUGHNESS ? MARK_TRACED : MARK_GLOSSY;
+#ifdef HAS_COATS
+    if (isCoated(p)) mark = MARK_COATED;
+#endif
 #endif
     gl_FragDepth = isBackground(p) ? MARK_NONE : mark;
 }

@@ -5,6 +5,7 @@
 #pragma import_defines(HAS_BOUNCE, KEEPS_REFLECTED)
 
 #include "pass/lobeneighbours.glsl"
+#include "pass/toplobe.glsl"
 #ifdef HAS_BOUNCE
 #include "pass/meanradiance.glsl"
 #endif
@@ -12,6 +13,10 @@
 uniform sampler2D reflectionMap;
 uniform sampler2D specularTermMap;
 uniform sampler2D blockedLobeMap;
+#ifdef HAS_COATS
+uniform sampler2D coatTermMap;
+uniform sampler2D blockedCoatMap;
+#endif
 uniform float radianceScale;
 
 layout(location = 0) out vec4 change;
@@ -54,26 +59,48 @@ vec4 cellMean(ivec2 p, float level)
     return sum / max(all, 1e-6);
 }
 
+// What the map sends into the lobe on top, and what of it is hidden.
+struct LobeLight {
+    vec3 specular;
+    vec4 blocked;  // w: share
+};
+
+LobeLight topLight(ivec2 p)
+{
+#ifdef HAS_COATS
+    if (isCoated(p)) return LobeLight(texelFetch(coatTermMap, p, 0).rgb * radianceScale, texelFetch(blockedCoatMap, p, 0));
+#endif
+    return LobeLight(texelFetch(specularTermMap, p, 0).rgb * radianceScale, texelFetch(blockedLobeMap, p, 0));
+}
+
+vec3 meanAbout(ivec2 p, vec3 n)
+{
+#ifdef HAS_BOUNCE
+    return meanRadiance(reflect(viewRay(inverseProjection, pixelNdc(p)), n));
+#else
+    return vec3(0.0);
+#endif
+}
+
 void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
-    float roughness = texelFetch(normalMap, p, 0).a;
-    vec3 specular = texelFetch(specularTermMap, p, 0).rgb * radianceScale;
-    vec3 reflected = pixelReflected(p);
-    vec4 blocked = texelFetch(blockedLobeMap, p, 0);  // w: share
-    vec3 mean = vec3(0.0);
-#ifdef HAS_BOUNCE
-    mean = meanRadiance(reflect(viewRay(inverseProjection, pixelNdc(p)), pixelNormal(p)));
-#endif
-    float level = max(brightness(specular / max(reflected, vec3(1e-3))), brightness(mean));
+    float roughness = topRoughness(p);
+    LobeLight light = topLight(p);
+    vec3 reflected = topReflected(p);
+    vec3 mean = meanAbout(p, topNormal(p));
+    float level = max(brightness(light.specular / max(reflected, vec3(1e-3))), brightness(mean));
     vec4 met = roughness < NARROW_ROUGHNESS ? texelFetch(reflectionMap, p, 0) : cellMean(p, level);
     float strength = 1.0 - smoothstep(TRACED_ROUGHNESS - 0.1, TRACED_ROUGHNESS, roughness);
-    vec3 sent = reflected * (met.rgb + max(blocked.w - met.w, 0.0) * mean);
+    vec3 sent = reflected * (met.rgb + max(light.blocked.w - met.w, 0.0) * mean);
     // Rays that meet more than the maps know to be in the way hide the map, too.
-    float open = min((1.0 - met.w) / max(1.0 - blocked.w, 1e-4), 1.0);
-    vec3 before = blocked.rgb * mean;
-    change = vec4(strength * ((open - 1.0) * specular + sent - before), 0.0);
+    float open = min((1.0 - met.w) / max(1.0 - light.blocked.w, 1e-4), 1.0);
+    vec3 before = light.blocked.rgb * mean;
+    change = vec4(strength * ((open - 1.0) * light.specular + sent - before), 0.0);
 #ifdef KEEPS_REFLECTED
     sentByScene = vec4(mix(before, sent, strength), 0.0);
+#ifdef HAS_COATS
+    if (isCoated(p)) sentByScene.rgb += texelFetch(blockedLobeMap, p, 0).rgb * meanAbout(p, pixelNormal(p));
+#endif
 #endif
 }

@@ -7,8 +7,8 @@
 #include "lib/march.glsl"
 #include "lib/sequence.glsl"
 #include "pass/gbuffer.glsl"
-#include "pass/albedo.glsl"
 #include "pass/lobewidth.glsl"
+#include "pass/toplobe.glsl"
 
 uniform sampler2D radianceMap;
 uniform float sceneRadius;
@@ -28,7 +28,7 @@ vec3 lobeDirection(Bsdf b, vec3 v, int group)
     if (b.roughness < NARROW_ROUGHNESS) return mirrored;
     vec2 u = cellPoint(0, float(group), 1) + vec2(1.0 / 32.0);
 #if defined(HAS_PHONG) || defined(HAS_STRAUSS)
-    if (b.brdf == BRDF_PHONG || b.brdf == BRDF_STRAUSS)
+    if (isMirrored(b.brdf))
         return frameAround(mirrored) * phongSample(phongExponent(b.roughness), u);
 #endif
     vec3 h = ggxVisibleNormalSample(v, b.roughness * b.roughness, u);
@@ -60,10 +60,10 @@ vec3 coneRadiance(ScreenHit hit, float tangent)
 void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
-    vec3 n = pixelNormal(p);
+    vec3 n = topNormal(p);
     mat3 eyeFromLocal = frameAround(n);
     vec3 v = pixelView(p, eyeFromLocal);
-    Bsdf b = makeBsdf(pixelBrdf(p), vec3(0.0), texelFetch(normalMap, p, 0).a, vec2(1.0, 0.0));
+    Bsdf b = makeBsdf(topBrdf(p), vec3(0.0), topRoughness(p), vec2(1.0, 0.0));
     int group = bayer4(p.x, p.y);
     vec3 d = lobeDirection(b, v, group);
     vec2 ndc = pixelNdc(p);
@@ -79,6 +79,8 @@ void main()
     ScreenHit hit = screenRayHit(depthMap, normalMap, ray, reflectionSteps, phase);
     if (!hit.found) return;
     float share = smoothstep(0.0, 0.1, hit.border);  // fades where the picture ends
-    float tangent = b.roughness < NARROW_ROUGHNESS ? 0.0 : CONE_WIDTH * inversesqrt(16.0 * PI * ggxReflectionPdf(v, normalize(v + d), b.roughness * b.roughness));
+    float tangent = 0.0;
+    if (b.roughness >= NARROW_ROUGHNESS)
+        tangent = CONE_WIDTH * inversesqrt(16.0 * PI * ggxReflectionPdf(v, normalize(v + d), b.roughness * b.roughness));
     reflection = share * vec4(coneRadiance(hit, tangent), 1.0);
 }

@@ -4,7 +4,7 @@
 
 #include "lib/frame.glsl"
 #include "pass/gbuffer.glsl"
-#include "pass/albedo.glsl"
+#include "pass/pixelbsdf.glsl"
 #include "pass/scenelights.glsl"
 
 layout(location = 0) out vec4 added;
@@ -20,13 +20,20 @@ void main()
     vec3 eye = pixelEye(p);
     mat3 eyeFromLocal = frameAround(pixelNormal(p));
     vec3 v = pixelView(p, eyeFromLocal);
-    vec3 albedo = texelFetch(albedoMap, p, 0).rgb;
-    Bsdf b = bsdfOf(pixelBrdf(p), texelFetch(specularMap, p, 0).rgb, texelFetch(normalMap, p, 0).a, v.z);
+    vec3 albedo = pixelAlbedo(p);
+    Bsdf b = pixelBsdf(p, v.z);
+#ifdef HAS_COATS
+    bool coated = isCoated(p);
+    PixelCoat coat = pixelCoat(p);
+#endif
     for (int i = 0; i < sceneLightCount; ++i) {
         vec3 direction;
         vec3 light = sceneLightAt(i, eye, direction);
         vec3 l = transpose(eyeFromLocal) * direction;
         added.rgb += light * (lightLambert(albedo * b.body, l) + lightLobe(b, v, l));
+#ifdef HAS_COATS
+        if (coated) added.rgb += light * lightLobe(coat.bsdf, coat.view, transpose(coat.eyeFromLocal) * direction);
+#endif
     }
     added.rgb = min(added.rgb * exp2(-emittedStops), vec3(MOST));  // in the units of the emission's target
 }

@@ -3,11 +3,13 @@
 // and of vertices, and of images without floats, are sRGB encoded; those of our Material are linear.
 #ifndef SURFACE_GLSL
 #define SURFACE_GLSL
-#pragma import_defines(HAS_SUN_MAPS, ENVLIGHT_COOK_TORRANCE, ENVLIGHT_LAMBERT, ENVLIGHT_PHONG, ENVLIGHT_STRAUSS, FACE_NORMAL, VERTEX_COLOR, UNLIT, NO_TEXTURE, LINEAR_TEXTURE, ALPHA_TEXTURE, TEXTURE_REPLACE, TEXTURE_DECAL, TEXTURE_BLEND, TEXTURE_ADD, PAINTED_REFLECTION, PHONG_MATERIAL, TWO_SIDED, ENVLIGHT_EMISSION)
+#pragma import_defines(HAS_SUN_MAPS, ENVLIGHT_COOK_TORRANCE, ENVLIGHT_LAMBERT, ENVLIGHT_PHONG, ENVLIGHT_STRAUSS, FACE_NORMAL, VERTEX_COLOR, UNLIT, NO_TEXTURE, LINEAR_TEXTURE, ALPHA_TEXTURE, TEXTURE_REPLACE, TEXTURE_DECAL, TEXTURE_BLEND, TEXTURE_ADD, PAINTED_REFLECTION, PHONG_MATERIAL, TWO_SIDED, ENVLIGHT_EMISSION, ENVLIGHT_DIELECTRIC, ENVLIGHT_COAT)
 
 #include "lib/brdfs.glsl"
 #include "lib/bulge.glsl"
+#include "lib/coat.glsl"
 #include "lib/depth.glsl"
+#include "lib/fresnel.glsl"
 #include "lib/phong.glsl"
 #include "lib/strauss.glsl"
 #include "lib/tone.glsl"
@@ -25,6 +27,13 @@ uniform float envlightMetalness;
 #endif
 #ifdef ENVLIGHT_COOK_TORRANCE
 uniform float envlightRoughness;
+#endif
+#ifdef ENVLIGHT_DIELECTRIC
+uniform vec3 envlightDielectric;  // reflectance of what is not metal, at normal incidence
+#endif
+#ifdef ENVLIGHT_COAT
+uniform float envlightCoat;
+uniform float envlightCoatRoughness;
 #endif
 #ifdef ENVLIGHT_STRAUSS
 uniform float envlightSmoothness;
@@ -59,6 +68,10 @@ struct Surface {
     vec3 f0;         // colour of the lobe at normal incidence
     int brdf;        // of lib/brdfs.glsl
     vec3 emission;   // radiance
+    vec3 baseColor;  // of a coated surface, with its metalness
+    float metalness;
+    vec3 coatNormal;
+    Coat coat;
     float bulge;     // of what the normals stand for above the facet, in shares of the distance to the eye: for the suns' maps alone
 };
 
@@ -169,6 +182,8 @@ Surface readSurface()
     vec3 facet = facetNormal(s.ray);
     s.normal = surfaceNormal(facet);
     s.bulge = surfaceBulge(facet, s.normal);
+    s.coatNormal = s.normal;
+    s.coat = Coat(0.0, 0.0);
 #ifdef NORMAL_MAP
     s.normal = mappedNormal(s.normal, eyePosition);
 #endif
@@ -200,9 +215,28 @@ Surface readSurface()
     roughMetal *= mappedRoughMetal();
 #endif
     s.brdf = envlightBrdf;
+    s.baseColor = base.rgb;
+    s.metalness = roughMetal.y;
     s.albedo = base.rgb * (1.0 - roughMetal.y);
-    s.f0 = mix(vec3(0.04), base.rgb, roughMetal.y);
+    vec3 dielectric = vec3(DIELECTRIC_F0);
+#ifdef ENVLIGHT_DIELECTRIC
+    dielectric = envlightDielectric;
+#endif
+    s.f0 = mix(dielectric, base.rgb, roughMetal.y);
     s.roughness = roughMetal.x;
+#ifdef ENVLIGHT_COAT
+    s.coat = Coat(envlightCoat, envlightCoatRoughness);
+#ifdef COAT_MAP
+    s.coat.strength *= mappedCoat();
+#endif
+#ifdef COAT_ROUGHNESS_MAP
+    s.coat.roughness *= mappedCoatRoughness();
+#endif
+#ifdef COAT_NORMAL_MAP
+    s.coatNormal = mappedCoatNormal(s.coatNormal, eyePosition);
+#endif
+    s.emission *= 1.0 - s.coat.strength * fresnelSchlick(vec3(DIELECTRIC_F0), -dot(s.coatNormal, s.ray));
+#endif
 #elif defined(ENVLIGHT_PHONG)
     s.brdf = envlightBrdf;
     s.f0 = envlightSpecular;

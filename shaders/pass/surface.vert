@@ -1,7 +1,13 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // Geometry of the host's own drawables, for the G-buffer and for what is drawn forward.
-#pragma import_defines(HAS_SUN_MAPS, CLIP_PLANES, NO_TEXTURE, TEXGEN_OBJECT, TEXGEN_EYE, TEXGEN_PROJECTED, NORMAL_MAP, METAL_ROUGH_MAP, EMISSION_MAP)
+#pragma import_defines(HAS_SUN_MAPS, CLIP_PLANES, NO_TEXTURE, TEXGEN_OBJECT, TEXGEN_EYE, TEXGEN_PROJECTED, NORMAL_MAP, METAL_ROUGH_MAP, EMISSION_MAP, COAT_MAP, COAT_ROUGHNESS_MAP, COAT_NORMAL_MAP)
+#if defined(NORMAL_MAP) || defined(METAL_ROUGH_MAP) || defined(EMISSION_MAP)
+#define HAS_MAPS
+#endif
+#if defined(COAT_MAP) || defined(COAT_ROUGHNESS_MAP) || defined(COAT_NORMAL_MAP)
+#define HAS_MAPS
+#endif
 
 uniform vec2 subpixel;  // shift of the picture in clip space over w
 
@@ -13,7 +19,7 @@ flat out vec3 cornerNormal;
 #endif
 out vec4 vertexColor;
 out vec3 textureCoordinate;  // s, t, q
-#if defined(NORMAL_MAP) || defined(METAL_ROUGH_MAP) || defined(EMISSION_MAP)
+#ifdef HAS_MAPS
 out vec4 mapCoordinates;     // of the arrays 0 and 1
 #endif
 
@@ -45,7 +51,7 @@ void main()
 #else
     textureCoordinate = vec3(0.0, 0.0, 1.0);
 #endif
-#if defined(NORMAL_MAP) || defined(METAL_ROUGH_MAP) || defined(EMISSION_MAP)
+#ifdef HAS_MAPS
     mapCoordinates = vec4(gl_MultiTexCoord0.xy, gl_MultiTexCoord1.xy);
 #endif
     gl_Position = ftransform();

@@ -54,7 +54,7 @@ vec3 occludedDiffuse(ivec2 p)
     vec3 o = texelFetch(occlusionTermMap, p, 0).rgb;
 #ifdef COMBINE_SUBTRACT
     // Two light lists: the difference may come out below zero, which no radiance is.
-    return max(d - texelFetch(albedoMap, p, 0).rgb * o * radianceScale, vec3(0.0));
+    return max(d - pixelAlbedo(p) * o * radianceScale, vec3(0.0));
 #else
     return d * o;
 #endif

@@ -107,14 +107,24 @@ TEST(GltfMaterials, EveryMapHasItsUnitAndNames)
          {"extensions",
           {{"KHR_materials_emissive_strength", {{"emissiveStrength", 3}}},
            {"KHR_materials_clearcoat",
-            {{"clearcoatFactor", .5}, {"clearcoatRoughnessFactor", .25}, {"clearcoatTexture", {{"index", 5}}}}},
+            {{"clearcoatFactor", .5},
+             {"clearcoatRoughnessFactor", .25},
+             {"clearcoatTexture", {{"index", 5}}},
+             {"clearcoatRoughnessTexture", {{"index", 6}}},
+             {"clearcoatNormalTexture", {{"index", 7}, {"scale", .75}}}}},
            {"KHR_materials_ior", {{"ior", 1.25}}},
            {"KHR_materials_specular", {{"specularFactor", .5}, {"specularColorFactor", {1, 2, 3}}}}}}},
-        textured(6));
+        textured(8));
     ASSERT_TRUE(s);
-    const char* names[] = {
-        "", "envlightNormalMap", "envlightMetalRoughMap", "envlightOcclusionMap", "envlightEmissionMap", "envlightCoatMap"};
-    for (unsigned unit = 0; unit < 6; ++unit) {
+    const char* names[] = {"",
+                           "envlightNormalMap",
+                           "envlightMetalRoughMap",
+                           "envlightOcclusionMap",
+                           "envlightEmissionMap",
+                           "envlightCoatMap",
+                           "envlightCoatRoughnessMap",
+                           "envlightCoatNormalMap"};
+    for (unsigned unit = 0; unit < 8; ++unit) {
         EXPECT_TRUE(s->getTextureAttribute(unit, osg::StateAttribute::TEXTURE)) << unit;
         EXPECT_EQ(s->getTextureMode(unit, GL_TEXTURE_2D), unit == 0 ? osg::StateAttribute::ON : osg::StateAttribute::INHERIT)
             << unit;
@@ -125,13 +135,14 @@ TEST(GltfMaterials, EveryMapHasItsUnitAndNames)
         for (int i = 0; i < 9; ++i) EXPECT_EQ(transform(i / 3, i % 3), i % 4 == 0 ? 1.0f : 0.0f);
     }
     EXPECT_EQ(uniformOf<float>(s, "envlightNormalScale"), .5f);
+    EXPECT_EQ(uniformOf<float>(s, "envlightCoatNormalScale"), .75f);
     EXPECT_EQ(uniformOf<float>(s, "envlightOcclusionStrength"), .25f);
     EXPECT_EQ(uniformOf<osg::Vec3f>(s, "envlightEmission"), osg::Vec3f(3, 3, 3));
     EXPECT_EQ(uniformOf<float>(s, "envlightCoat"), .5f);
     EXPECT_EQ(uniformOf<float>(s, "envlightCoatRoughness"), .25f);
-    EXPECT_EQ(uniformOf<float>(s, "envlightIor"), 1.25f);
-    EXPECT_EQ(uniformOf<float>(s, "envlightSpecularFactor"), .5f);
-    EXPECT_EQ(uniformOf<osg::Vec3f>(s, "envlightSpecularColor"), osg::Vec3f(1, 2, 3));
+    // ((n - 1) / (n + 1))^2 of n = 1.25 is 1/81; colour (1, 2, 3) at half the strength
+    const osg::Vec3f f0 = uniformOf<osg::Vec3f>(s, "envlightDielectric");
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(f0[i], .5 * (i + 1) / 81, 1e-7);
     // Or all of the surface would glow without the map.
     EXPECT_EQ(osgMaterialOf(s)->getEmission(osg::Material::FRONT), osg::Vec4(0, 0, 0, 1));
 }

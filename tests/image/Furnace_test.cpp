@@ -88,6 +88,21 @@ TEST(Furnace, DielectricReturnsAllThatItsWhiteBaseReceives)
     }
 }
 
+TEST(Furnace, ACoatReturnsAllThatAWhiteSurfaceReceives)
+{
+    SceneRenderer renderer(96, 96);
+    for (const float metalness : {0.0f, 1.0f})
+        for (const float roughness : {0.0f, 0.3f, 0.6f}) {
+            osg::ref_ptr<LitScene> lit = furnace(1.0);
+            osg::ref_ptr<osg::Geode> sphere = makeSphere(osg::Vec3d(), 1.0);
+            Material::setCookTorrance(*sphere->getOrCreateStateSet(), osg::Vec3f(1, 1, 1), metalness, 0.4f);
+            Material::setCoat(*sphere->getOrCreateStateSet(), 1.0f, roughness);
+            lit->addChild(sphere);
+            // As for a dielectric: two of its kind, each with 16 samples of Fresnel at the rim
+            EXPECT_LT(worstDeviation(renderer.render(lit), 1.0), 0.03) << "metalness " << metalness << ", coat " << roughness;
+        }
+}
+
 TEST(Furnace, IntensityScalesAndRotationDoesNothing)
 {
     SceneRenderer renderer(64, 64);

@@ -17,7 +17,8 @@ using osgEnvLight::Settings;
 namespace
 {
 
-osg::ref_ptr<LitScene> ball(const char* map, Material::Brdf brdf, float roughness)
+// Of a ball whose material is still to come.
+osg::ref_ptr<LitScene> specularOf(const char* map)
 {
     osg::ref_ptr<LitScene> lit = new LitScene;
     std::string error;
@@ -29,9 +30,24 @@ osg::ref_ptr<LitScene> ball(const char* map, Material::Brdf brdf, float roughnes
     s.regeneration = Settings::IMMEDIATE;
     s.visibility = Settings::VISIBILITY_NONE;
     s.specularSamples = 64;
-    const osg::ref_ptr<osg::Geode> sphere = makeSphere(osg::Vec3d(), 1.0, 128);
-    setLobe(*sphere->getOrCreateStateSet(), brdf, osg::Vec3f(0.9f, 0.6f, 0.3f), roughness);
-    lit->addChild(sphere);
+    lit->addChild(makeSphere(osg::Vec3d(), 1.0, 128));
+    return lit;
+}
+
+osg::ref_ptr<LitScene> ball(const char* map, Material::Brdf brdf, float roughness)
+{
+    const osg::ref_ptr<LitScene> lit = specularOf(map);
+    setLobe(*lit->getChild(0)->getOrCreateStateSet(), brdf, osg::Vec3f(0.9f, 0.6f, 0.3f), roughness);
+    return lit;
+}
+
+// Red paint, or a rough metal, below a coat.
+osg::ref_ptr<LitScene> coatedBall(const char* map, float metalness, float coatRoughness)
+{
+    const osg::ref_ptr<LitScene> lit = specularOf(map);
+    osg::StateSet& s = *lit->getChild(0)->getOrCreateStateSet();
+    Material::setCookTorrance(s, osg::Vec3f(0.7f, 0.1f, 0.05f), metalness, 0.5f);
+    Material::setCoat(s, 1.0f, coatRoughness);
     return lit;
 }
 
@@ -71,6 +87,20 @@ TEST(Lobes, UnderLamps)
 TEST(Lobes, UnderASun)
 {
     expectErrorsBelow(0.003, "sky", 1);
+}
+
+// What lies below a coat is reflected less by what the coat takes.
+TEST(Lobes, OfCoatsAndWhatIsBelow)
+{
+    for (const char* map : {"studio", "sky"})
+        for (const float metalness : {0.0f, 1.0f})
+            for (const float roughness : {0.0f, 51.0f / 255.0f, 0.4f}) {
+                const double error = errorOf(*coatedBall(map, metalness, roughness), map[1] == 'k' ? 1 : 0);
+                testing::Test::RecordProperty(
+                    std::string(map) + std::to_string(int(metalness)) + "_" + std::to_string(int(100 * roughness)),
+                    std::to_string(error));
+                EXPECT_LT(error, 0.01) << map << " " << metalness << " " << roughness;
+            }
 }
 
 // What is not in view is not compiled.

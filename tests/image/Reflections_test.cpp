@@ -106,6 +106,35 @@ TEST(Reflections, ASunInANeighbourLeavesNoSquares)
     EXPECT_LT(worst, 2.2);
 }
 
+// A black floor with a coat: what it mirrors is all that there is to see of it.
+TEST(Reflections, ACoatShowsTheScene)
+{
+    for (const float roughness : {0.0f, 0.2f}) {
+        SceneRenderer renderer(128, 96);
+        look(renderer);
+        const osg::ref_ptr<LitScene> lit = makeScene(0.5f);
+        osg::StateSet& floor = *lit->getChild(0)->getStateSet();
+        Material::setCookTorrance(floor, osg::Vec3f(), 0.0f, 1.0f);
+        Material::setDielectric(floor, 1.0f);
+        Material::setCoat(floor, 1.0f, roughness);
+        lit->removeChild(3);
+        const Picture shown = renderer.render(lit);
+        lit->getSettings()->reflections = Settings::REFLECTIONS_MAP;
+        const Picture black = renderer.render(lit);
+        const Picture truth = tracedView(*lit, renderer, 256, {Layer::BEAUTY}, false, ReferenceOptions::FULL).mean(Layer::BEAUTY);
+        // The floor before the boxes, where it mirrors them.
+        double with = 0.0, without = 0.0, sum = 0.0;
+        for (int y = 20; y < 40; ++y)
+            for (int x = 20; x < 110; ++x) {
+                with += std::abs(shown.color(x, y)[2] - truth.color(x, y)[2]);
+                without += std::abs(black.color(x, y)[2] - truth.color(x, y)[2]);
+                sum += truth.color(x, y)[2];
+            }
+        EXPECT_GT(without, 0.05 * sum) << roughness << ": there is something to show";
+        EXPECT_LT(with, 0.5 * without) << "roughness " << roughness << ": " << with / sum << " of " << without / sum;
+    }
+}
+
 TEST(Reflections, NothingTrailsBehindACut)
 {
     SceneRenderer renderer(64, 48);

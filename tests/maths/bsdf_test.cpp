@@ -24,7 +24,7 @@ vec2 tableOf(int brdf, const vec3& v, double roughness)
         return integratePeak(
             [&](const vec3& l) {
                 const vec3 h = glm::normalize(v + l);
-                const double grazing = glsl::fresnelSchlick(vec3(0), glm::dot(h, v)).x;
+                const double grazing = glsl::fresnelShare(glm::dot(h, v));
                 return glsl::bsdfMicrofacets(b, v, l, h) * l.z * (offset ? grazing : 1.0 - grazing);
             },
             roughness * roughness);

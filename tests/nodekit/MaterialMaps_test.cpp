@@ -131,3 +131,24 @@ TEST_F(MaterialMaps, EmissionReplacesThatOfTheHostsMaterial)
     Material::setEmission(*geode->getStateSet(), osg::Vec3f(2.0f, 1.0f, 0.5f), evenTexture(osg::Vec3d(1.0, 0.735357, 0.0)));
     expectNear(osg::Vec3d(2.0, 0.5, 0.0), middle(geode, Settings::EMISSION), "half as encoded");
 }
+
+// Red times the strength and green times the roughness of a coat; its normals are its own.
+TEST_F(MaterialMaps, OfACoat)
+{
+    osg::ref_ptr<osg::Geode> geode = card(x, z);
+    osg::StateSet& s = *geode->getStateSet();
+    Material::setCookTorrance(s, osg::Vec3f(), 1.0f, 1.0f);
+    Material::setCoat(s, 1.0f, 1.0f);
+    const double rough = middle(geode, Settings::SPECULAR)[1];
+    Material::setCoatRoughnessMap(s, evenTexture(osg::Vec3d(1, 0.2, 1)));
+    const double smooth = middle(geode, Settings::SPECULAR)[1];
+    EXPECT_NEAR(0.04, smooth, 0.001);
+    EXPECT_GT(std::abs(rough - smooth), 0.002);
+    Material::setCoatMap(s, evenTexture(osg::Vec3d(0, 1, 1)));
+    EXPECT_EQ(0.0, middle(geode, Settings::SPECULAR)[1]);
+    // Leaning by 80 degrees it is seen at a grazing angle; what lies below it is not. Schlick at the pixel's cosine of .247.
+    Material::setCoatMap(s, evenTexture(osg::Vec3d(1, 1, 1)));
+    Material::setCoatNormalMap(s, evenTexture(osg::Vec3d(0.985, 0, 0.174) * 0.5 + osg::Vec3d(0.5, 0.5, 0.5)));
+    EXPECT_NEAR(0.272, middle(geode, Settings::SPECULAR)[1], 0.01);
+    expectNear(osg::Vec3d(0, -1, 0), normalOf(geode), "below the coat");
+}

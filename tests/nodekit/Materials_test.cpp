@@ -13,6 +13,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 
 using osgEnvLight::LitScene;
 using osgEnvLight::Material;
@@ -127,4 +128,101 @@ TEST_F(Materials, APatternThatNothingMatchesIsAnError)
     EXPECT_FALSE(build({"wheel", "body"}, R"({"wheel*x": {"brdf": "lambert"}})"));
     EXPECT_NE(std::string::npos, error.find("'materials.wheel*x'")) << error;
     EXPECT_NE(std::string::npos, error.find("'body' 'wheel'")) << error;
+}
+
+TEST_F(Materials, CoatsAndIndicesOfRefraction)
+{
+    const osg::ref_ptr<LitScene> lit = build({"a", "b"}, R"({"a": {"brdf": "cook-torrance", "coat": 0.5, "coatRoughness": 0.25},
+        "b": {"brdf": "cook-torrance", "ior": 2}})");
+    ASSERT_TRUE(lit) << error;
+    EXPECT_EQ(0.5f, number(stateSet(*lit, 0), "envlightCoat"));
+    EXPECT_EQ(0.25f, number(stateSet(*lit, 0), "envlightCoatRoughness"));
+    EXPECT_EQ(-1.0f, number(stateSet(*lit, 1), "envlightCoat"));
+    osg::Vec3f f0;
+    ASSERT_TRUE(stateSet(*lit, 1).getUniform("envlightDielectric"));
+    stateSet(*lit, 1).getUniform("envlightDielectric")->get(f0);
+    EXPECT_NEAR(1.0 / 9.0, f0[0], 1e-7);  // ((2 - 1) / (2 + 1))^2
+    EXPECT_FALSE(build({"a"}, R"({"a": {"brdf": "cook-torrance", "normals": "beckmann", "coat": 1}})"));
+    EXPECT_NE(std::string::npos, error.find("'materials.a.coat'")) << error;
+    EXPECT_FALSE(build({"a"}, R"({"a": {"brdf": "cook-torrance", "ior": 0.9}})"));
+    EXPECT_NE(std::string::npos, error.find("1..4")) << error;
+    EXPECT_FALSE(build({"a"}, R"({"a": {"brdf": "strauss", "coat": 1}})"));
+}
+
+namespace
+{
+
+// The middle of a black ball under light from everywhere: what it reflects of that.
+double reflectedBy(const std::function<void(osg::StateSet&)>& set, bool forward = false)
+{
+    SceneRenderer renderer(32, 32);
+    const osg::ref_ptr<osg::Geode> ball = makeSphere(osg::Vec3d(), 1.0, 96);
+    osg::StateSet& s = *ball->getOrCreateStateSet();
+    Material::setCookTorrance(s, osg::Vec3f(), 0.0f, 0.3f);
+    set(s);
+    if (forward) {
+        const osg::ref_ptr<osg::Material> material = new osg::Material;
+        material->setAlpha(osg::Material::FRONT_AND_BACK, 0.999f);
+        s.setAttribute(material);
+        s.setMode(GL_BLEND, osg::StateAttribute::ON);
+        s.setRenderingHint(osg::StateSet::TRANSPARENT_BIN);
+    }
+    const osg::ref_ptr<LitScene> lit = makeLit(constantMap(1.0).get());
+    lit->getSettings()->background = osgEnvLight::Settings::BACKGROUND_OFF;
+    lit->addChild(ball);
+    const double middle = renderer.render(lit).color(16, 16)[1];
+    EXPECT_EQ(forward ? 1u : 0u, lit->plan().surfaces.litForward);
+    return middle;
+}
+
+}  // namespace
+
+TEST_F(Materials, ADielectricReflectsByItsIndexOfRefraction)
+{
+    const auto of = [](float ior, float strength = 1.0f) {
+        return reflectedBy([&](osg::StateSet& s) { Material::setDielectric(s, ior, strength); });
+    };
+    const double glass = reflectedBy([](osg::StateSet&) {});
+    EXPECT_NEAR(0.04, glass, 0.001);
+    EXPECT_NEAR(glass, of(1.5f), 1e-5);
+    EXPECT_NEAR(1.0 / 9.0, of(2.0f), 0.002);
+    EXPECT_NEAR(0.5 * glass, of(1.5f, 0.5f), 2e-4);
+    EXPECT_EQ(0.0, of(1.0f));
+}
+
+// Over black that reflects nothing a coat is glass; where it is drawn does not matter.
+TEST_F(Materials, ACoatReflectsAsGlass)
+{
+    const auto of = [](float strength, bool forward) {
+        return reflectedBy(
+            [&](osg::StateSet& s) {
+                Material::setCoat(s, strength, 0.2f);
+                Material::setCookTorrance(s, osg::Vec3f(), 1.0f, 0.3f);
+            },
+            forward);
+    };
+    EXPECT_EQ(0.0, of(0.0f, false));
+    EXPECT_NEAR(0.04, of(1.0f, false), 0.001);
+    EXPECT_NEAR(of(1.0f, false), of(1.0f, true), 0.001);
+    EXPECT_NEAR(16.0 / 31.0 * of(1.0f, false), of(0.5f, false), 1e-4);  // kept to 1/31
+}
+
+// The pass of coats runs for coats alone.
+TEST_F(Materials, WithoutACoatItsPassDoesNotRun)
+{
+    SceneRenderer renderer(32, 32);
+    for (const float strength : {0.0f, 1.0f}) {
+        const osg::ref_ptr<osg::Geode> ball = makeSphere(osg::Vec3d(), 1.0);
+        Material::setCookTorrance(*ball->getOrCreateStateSet(), osg::Vec3f(1, 1, 1), 0.0f, 0.3f);
+        Material::setCoat(*ball->getOrCreateStateSet(), strength);
+        const osg::ref_ptr<LitScene> lit = makeLit(constantMap(1.0).get());
+        lit->addChild(ball);
+        renderer.render(lit);
+        EXPECT_EQ(strength > 0.0f, lit->plan().surfaces.hasCoats());
+        for (const auto& pass : lit->plan().passes) {
+            if (pass.pass == "coat") {
+                EXPECT_EQ(strength > 0.0f, pass.runs) << pass.reason;
+            }
+        }
+    }
 }

@@ -126,7 +126,10 @@ osg::ref_ptr<WatchedScene> makeScene()
     const osg::ref_ptr<osg::Geode> phong = makeSphere(osg::Vec3d(-0.5, 0, 0), 0.5, 16);
     osgEnvLight::Material::setPhong(*phong->getOrCreateStateSet(), osg::Vec3f(), osg::Vec3f(0.5f, 0.5f, 0.5f), 20.0f);
     lit->addChild(phong);
-    lit->addChild(makeBox(osg::Vec3d(0, -0.5, -0.5), osg::Vec3d(1, 0.5, 0.5)));
+    const osg::ref_ptr<osg::Geode> coated = makeBox(osg::Vec3d(0, -0.5, -0.5), osg::Vec3d(1, 0.5, 0.5));
+    osgEnvLight::Material::setCookTorrance(*coated->getOrCreateStateSet(), osg::Vec3f(0.5f, 0.5f, 0.5f), 0.0f, 0.5f);
+    osgEnvLight::Material::setCoat(*coated->getOrCreateStateSet(), 1.0f);
+    lit->addChild(coated);
     lit->addChild(makeBox(osg::Vec3d(999, 0, 0), osg::Vec3d(1000, 1, 1)));
     const osg::ref_ptr<osg::Geode> glass = makeQuad(osg::Vec3d(-0.5, -1, -0.5), osg::Vec3d(1, 0, 0), osg::Vec3d(0, 0, 1));
     const osg::ref_ptr<osg::Material> clear = new osg::Material;

@@ -119,6 +119,7 @@ void PassBuilder::readGBuffer()
     read("normal", "normalMap");
     read("specular properties", "specularMap");
     read("depth", "depthMap");
+    define("HAS_COATS", _context.facts.surfaces.hasCoats());
 }
 
 }  // namespace osgEnvLight

@@ -33,6 +33,7 @@ LitView::LitView(Failure* failure, RetiredObjects* retired, SurfaceSorter* sorte
     graph.add(new FilterPass);
     graph.add(new SpecularPass);
     graph.add(new LobeRowsPass);
+    graph.add(new CoatPass);
     graph.add(new LobesPass);
     graph.add(new BouncePass);
     graph.add(new BounceSumPass);

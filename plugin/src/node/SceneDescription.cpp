@@ -3,6 +3,7 @@
 
 #include <osgEnvLight/Material>
 #include "base/ReadMessage.h"
+#include "surface/MaterialMaps.h"
 
 #include <osgDB/FileNameUtils>
 #include <osgDB/FileUtils>
@@ -59,7 +60,7 @@ MaterialDescription readMaterial(const Value& v, const std::string& name)
         v.object({"brdf", "diffuse", "specular", "exponent"}, "a material");
         m.brdf = brdf == "phong" ? Material::PHONG : Material::BLINN_PHONG;
     } else if (brdf == "cook-torrance") {
-        v.object({"brdf", "baseColor", "metalness", "roughness", "normals"}, "a material");
+        v.object({"brdf", "baseColor", "metalness", "roughness", "normals", "ior", "coat", "coatRoughness"}, "a material");
         m.brdf = Material::COOK_TORRANCE;
     } else if (brdf == "strauss") {
         v.object({"brdf", "baseColor", "metalness", "smoothness"}, "a material");
@@ -78,6 +79,10 @@ MaterialDescription readMaterial(const Value& v, const std::string& name)
     if (v.has("baseColor")) m.baseColor = color(v["baseColor"]);
     if (v.has("metalness")) m.metalness = float(v["metalness"].number(0, 1, "a number in 0..1"));
     if (v.has("smoothness")) m.smoothness = float(v["smoothness"].number(0, 1, "a number in 0..1"));
+    if (v.has("ior")) m.ior = float(v["ior"].number(1, 4, "an index of refraction in 1..4"));
+    if (v.has("coat")) m.coat = float(v["coat"].number(0, 1, "a number in 0..1"));
+    if (v.has("coatRoughness")) m.coatRoughness = float(v["coatRoughness"].number(0, 1, "a number in 0..1"));
+    if (m.coat > 0.0f && m.brdf != Material::COOK_TORRANCE) v["coat"].fail("a coat only on a surface whose normals are \"ggx\"");
     if (v.has("roughness")) m.roughness = float(v["roughness"].number(0, 1, "a number in 0..1"));
     for (int i = 0; i < 3; ++i)
         if ((m.brdf == Material::PHONG || m.brdf == Material::BLINN_PHONG) && m.diffuse[i] + m.specular[i] > 1.0f + 1e-6f)
@@ -220,6 +225,9 @@ class MaterialVisitor : public osg::NodeVisitor
         if (m.brdf == Material::BECKMANN)
             Material::setCookTorrance(s, m.baseColor, m.metalness, m.roughness, Material::BECKMANN_NORMALS);
         if (m.brdf == Material::STRAUSS) Material::setStrauss(s, m.baseColor, m.smoothness, m.metalness);
+        // What the model's own material had goes.
+        if (m.ior != 1.5f || s.getUniform(MaterialMaps::dielectric)) Material::setDielectric(s, m.ior);
+        if (m.coat > 0.0f || s.getUniform(MaterialMaps::coat)) Material::setCoat(s, m.coat, m.coatRoughness);
     }
 
     const std::vector<MaterialDescription>& _materials;

@@ -31,7 +31,7 @@ void readLobes(PassBuilder& b, const FrameContext& c)
 {
     defineLobes(b, c.facts.surfaces.lobes);
     const unsigned microfacets = 1u << Material::COOK_TORRANCE | 1u << Material::BLINN_PHONG | 1u << Material::BECKMANN;
-    if (c.facts.surfaces.lobes & microfacets) b.bind(c.albedoTable, "albedoTable");
+    if (c.facts.surfaces.lobes & (microfacets | SurfaceKinds::COATS)) b.bind(c.albedoTable, "albedoTable");
 }
 
 void readIrradiance(PassBuilder& b, FrameContext& c)
@@ -99,8 +99,10 @@ void readTerms(PassBuilder& b, FrameContext& c)
     b.define("HAS_BOUNCE", bounces);
     if (b.read("reflected", "reflectedMap"))
         b.define("HAS_REFLECTED");
-    else if (bounces && c.settings.reflections == Settings::REFLECTIONS_SCREEN && b.read("blocked lobe", "blockedLobeMap"))
+    else if (bounces && c.settings.reflections == Settings::REFLECTIONS_SCREEN && b.read("blocked lobe", "blockedLobeMap")) {
         b.define("HAS_LOBES");
+        b.read("blocked coat", "blockedCoatMap");
+    }
 }
 
 void readBackground(PassBuilder& b, FrameContext& c)

@@ -17,6 +17,7 @@ namespace osgEnvLight
 //   lobe lights                         sums over a group of lights, of those it sees and all, by the lobe
 //   row estimate, row lobe lights       the same, filtered along rows
 //   specular, blocked lobe              S, and the part of the lobe's albedo that surfaces take from the map
+//   coat, blocked coat                  the same of clear coats
 //   reflection, reflected               what rays through the picture meet, and what the scene sends into the lobes
 //   light sums, light places            sums over a group of lights, where they are from
 //   row sums, row places                the same, filtered along rows

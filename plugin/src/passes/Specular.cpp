@@ -23,6 +23,23 @@ void drawGlossy(PassBuilder& b)
     b.drawMarked(b.find("pixel marks"), limits::MARK_GLOSSY);
 }
 
+// What pass/lobesamples.glsl reads, but for the suns.
+void readMapOfLobes(PassBuilder& b, FrameContext& c)
+{
+    b.readGBuffer();
+    b.settings<SpecularSettings>();
+    b.bind(c.textures.pyramid(), "pyramidMap");
+    b.bind(c.textures.latlong(), "latlongMap");
+    readLobes(b, c);
+}
+
+void readSunsOfLobes(PassBuilder& b, FrameContext& c)
+{
+    b.define("HAS_SUNS");
+    readSuns(b, c);
+    readSunVisibility(b);
+}
+
 Requirement requireReflections(const FrameContext& c)
 {
     Requirement reflections = requireSpecular(c);
@@ -43,18 +60,12 @@ Requirement SpecularPass::require(const FrameContext& c) const
 
 void SpecularPass::setup(PassBuilder& b, FrameContext& c)
 {
-    b.readGBuffer();
-    b.settings<SpecularSettings>();
-    b.bind(c.textures.pyramid(), "pyramidMap");
-    b.bind(c.textures.latlong(), "latlongMap");
-    readLobes(b, c);
+    readMapOfLobes(b, c);
     drawGlossy(b);
     b.write(b.create("lobe estimate", sums));
     if (b.find("lobe lights").valid()) c.remark(", occluded by what the atlas knows");
     if (!c.decisions.suns.needed) return;
-    b.define("HAS_SUNS");
-    readSuns(b, c);
-    readSunVisibility(b);
+    readSunsOfLobes(b, c);
     b.write(b.create("sun glint", sums));
 }
 
@@ -76,6 +87,27 @@ void LobeRowsPass::setup(PassBuilder& b, FrameContext& c)
     b.write(b.create("row lobe lights", packed));
 }
 
+Requirement CoatPass::require(const FrameContext& c) const
+{
+    Requirement coat = requireSpecular(c);
+    coat.unless(!c.facts.surfaces.hasCoats(), "no clear coat in view");
+    return coat.because(counted(size_t(c.settings.specularSamples), "sample") + " a pixel");
+}
+
+void CoatPass::setup(PassBuilder& b, FrameContext& c)
+{
+    readMapOfLobes(b, c);
+    b.drawMarked(b.find("pixel marks"), limits::MARK_COATED);
+    b.write(b.create("coat", sums));
+    if (c.decisions.suns.needed) readSunsOfLobes(b, c);
+    if (!b.find("lobe lights").valid()) return;
+    b.define("HAS_LOBE_LIGHTS");
+    b.define("HAS_ATLAS");
+    readSkyMaps(b, c, "atlas", *c.skyMaps, c.nearSkyMaps);
+    b.bind(c.atlasLights.nearest("atlas", *c.skyMaps), "nearestLightMap");
+    b.write(b.create("blocked coat"));
+}
+
 Requirement LobesPass::require(const FrameContext& c) const
 {
     return requireSpecular(c).because("averages the samples of a cell, the rows along columns");
@@ -90,6 +122,7 @@ void LobesPass::setup(PassBuilder& b, FrameContext& c)
     b.define("LOBES_SHARP", sharp);
     b.read(b.find(sharp ? "lobe estimate" : "row estimate"), "estimateMap");
     if (b.read("sun glint", "sunGlintMap")) b.define("HAS_SUNS");
+    b.read("coat", "coatTermMap");
     drawGlossy(b);
     b.write(b.create("specular", sums));
     if (!b.find("lobe lights").valid()) return;
@@ -140,6 +173,8 @@ void ReflectionFilterPass::setup(PassBuilder& b, FrameContext& c)
     b.read(b.find("reflection"), "reflectionMap");
     b.read(b.find("specular"), "specularTermMap");
     b.read(b.find("blocked lobe"), "blockedLobeMap");
+    b.read("coat", "coatTermMap");
+    b.read("blocked coat", "blockedCoatMap");
     b.define("HAS_BOUNCE", b.read("bounce", "bounceMap"));
     b.drawMarked(b.find("pixel marks"), c.still ? limits::MARK_GLOSSY : limits::MARK_TRACED);
     b.addLaterTo(b.find("radiance"));

@@ -24,7 +24,16 @@ class OSGENVLIGHT_EXPORT LobeRowsPass : public RenderPass
     void setup(PassBuilder& builder, FrameContext& context) override;
 };
 
-/** Last part: the same along columns, and S. */
+/** S of clear coats. */
+class OSGENVLIGHT_EXPORT CoatPass : public RenderPass
+{
+  public:
+    const char* name() const override { return "coat"; }
+    Requirement require(const FrameContext& context) const override;
+    void setup(PassBuilder& builder, FrameContext& context) override;
+};
+
+/** Last part: the same along columns, and S, with that of coats. */
 class OSGENVLIGHT_EXPORT LobesPass : public RenderPass
 {
   public:

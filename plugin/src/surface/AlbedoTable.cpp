@@ -14,7 +14,7 @@ namespace
 {
 
 const int tableSize = 32;
-const int distributions[] = {BRDF_COOK_TORRANCE, BRDF_BECKMANN, BRDF_BLINN_PHONG};  // in the order of pass/albedo.glsl
+const int microfacets[] = {BRDF_COOK_TORRANCE, BRDF_BECKMANN, BRDF_BLINN_PHONG};
 
 // By GGX's visible normals, by which the weights of all are bounded: 1024 points leave less than 1e-3.
 glsl::vec2 albedo(int brdf, double roughness, double cosV)
@@ -34,8 +34,8 @@ glsl::vec2 albedo(int brdf, double roughness, double cosV)
         const double w = brdf == BRDF_COOK_TORRANCE
                              ? glsl::ggxG2OverG1(v.z, l.z, alpha)
                              : glsl::bsdfMicrofacets(b, v, l, h) * l.z / glsl::ggxReflectionPdf(v, h, alpha);
-        const double f90 = glsl::fresnelSchlick(glsl::vec3(0.0), c).x;
-        sum += glsl::vec2(w * (1.0 - f90), w * f90);
+        const double grazing = glsl::fresnelShare(c);
+        sum += glsl::vec2(w * (1.0 - grazing), w * grazing);
     }
     return sum / double(count);
 }
@@ -43,17 +43,18 @@ glsl::vec2 albedo(int brdf, double roughness, double cosV)
 osg::ref_ptr<osg::Image> makeTable()
 {
     osg::ref_ptr<osg::Image> image = new osg::Image;
-    const int blocks = int(std::size(distributions));
-    image->allocateImage(blocks * tableSize, tableSize, 1, GL_RG, GL_FLOAT);
+    image->allocateImage(int(std::size(microfacets)) * tableSize, tableSize, 1, GL_RG, GL_FLOAT);
     image->setInternalTextureFormat(GL_RG32F);
-    for (int y = 0; y < tableSize; ++y)
-        for (int x = 0; x < blocks * tableSize; ++x) {
-            const double rootMu = double(y) / (tableSize - 1);
-            const glsl::vec2 a = albedo(distributions[x / tableSize], double(x % tableSize) / (tableSize - 1), rootMu * rootMu);
-            float* out = reinterpret_cast<float*>(image->data(unsigned(x), unsigned(y)));
-            out[0] = float(a.x);
-            out[1] = float(a.y);
-        }
+    for (const int brdf : microfacets)
+        for (int y = 0; y < tableSize; ++y)
+            for (int x = 0; x < tableSize; ++x) {
+                const double rootMu = double(y) / (tableSize - 1);
+                const glsl::vec2 a = albedo(brdf, double(x) / (tableSize - 1), rootMu * rootMu);
+                float* out =
+                    reinterpret_cast<float*>(image->data(unsigned(glsl::albedoBlock(brdf) * tableSize + x), unsigned(y)));
+                out[0] = float(a.x);
+                out[1] = float(a.y);
+            }
     return image;
 }
 

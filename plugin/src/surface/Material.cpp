@@ -5,6 +5,8 @@
 
 #include <osg/Uniform>
 
+#include <algorithm>
+
 namespace osgEnvLight
 {
 
@@ -88,6 +90,37 @@ void Material::setEmission(osg::StateSet& stateSet, const osg::Vec3f& emission, 
 {
     setUniform(stateSet, MaterialMaps::emission, emission);
     if (map) setMap(stateSet, MaterialMaps::emissionMap, map, set, unit);
+}
+
+void Material::setDielectric(osg::StateSet& stateSet, float ior, float strength, const osg::Vec3f& color)
+{
+    const float r = (ior - 1.0f) / (ior + 1.0f);
+    osg::Vec3f f0 = color * (r * r);
+    for (int i = 0; i < 3; ++i) f0[i] = std::min(f0[i], 1.0f) * strength;
+    setUniform(stateSet, MaterialMaps::dielectric, f0);
+}
+
+void Material::setCoat(osg::StateSet& stateSet, float strength, float roughness)
+{
+    setUniform(stateSet, MaterialMaps::coat, strength);
+    setUniform(stateSet, MaterialMaps::coatRoughness, roughness);
+}
+
+void Material::setCoatMap(osg::StateSet& stateSet, osg::Texture2D* map, int set, unsigned unit)
+{
+    setMap(stateSet, MaterialMaps::coatMap, map, set, unit);
+}
+
+void Material::setCoatRoughnessMap(osg::StateSet& stateSet, osg::Texture2D* map, int set, unsigned unit)
+{
+    setMap(stateSet, MaterialMaps::coatRoughnessMap, map, set, unit);
+}
+
+void Material::setCoatNormalMap(osg::StateSet& stateSet, osg::Texture2D* map, float scale, bool topIsZero, int set, unsigned unit)
+{
+    setMap(stateSet, MaterialMaps::coatNormalMap, map, set, unit);
+    setUniform(stateSet, MaterialMaps::coatNormalScale, scale);
+    setUniform(stateSet, MaterialMaps::coatNormalUp, topIsZero ? -1.0f : 1.0f);
 }
 
 int Material::brdfOf(const osg::StateSet& stateSet, int inherited)

@@ -2,6 +2,7 @@
 #include "surface/SurfaceSorter.h"
 
 #include <osgEnvLight/Material>
+#include "surface/MaterialMaps.h"
 #include "surface/SurfaceState.h"
 
 #include <osg/Geometry>
@@ -128,9 +129,10 @@ class SurfaceSort
         }
     }
 
-    // The bit of the lobe of a surface, if it has one.
-    static unsigned lobeBit(const SurfaceState& state)
+    // The bits of the lobes of a surface, none if it has none.
+    static unsigned lobeBits(const SurfaceState& state)
     {
+        if (state.coated()) return 1u << Material::COOK_TORRANCE | SurfaceKinds::COATS;
         if (state.brdf() >= 0) return state.brdf() == Material::LAMBERT ? 0u : 1u << state.brdf();
         if (state.paintedReflection()) return 1u << Material::COOK_TORRANCE;
         return state.phongMaterial() ? 1u << Material::BLINN_PHONG : 0u;
@@ -148,8 +150,10 @@ class SurfaceSort
         if (state.twoSided()) bits |= S::TWO_SIDED;
         if (state.clipped()) bits |= S::CLIP_PLANES;
         if (state.brdf() >= 0) bits |= ownBits(state.brdf());
-        for (unsigned map = 0; map < 3; ++map)
+        for (unsigned map = 0; map < std::size(MaterialMaps::samplers); ++map)
             if (state.mapped(map)) bits |= unsigned(S::NORMAL_MAP) << map;
+        if (state.dielectric()) bits |= S::ENVLIGHT_DIELECTRIC;
+        if (state.coated()) bits |= S::ENVLIGHT_COAT;
         if (state.brdf() >= 0 && state.emits()) bits |= S::ENVLIGHT_EMISSION;
         return bits;
     }
@@ -163,7 +167,7 @@ class SurfaceSort
         if (!foreign && !blends && !state.drawnForward(geometry)) return keep(leaf, sg, state, all, kept);
         const char* unsupported = foreign ? nullptr : state.unsupported(geometry);
         const bool lit = !foreign && !unsupported && state.litForward();
-        if (lit) kinds.forwardLobes |= lobeBit(state);
+        if (lit) kinds.forwardLobes |= lobeBits(state);
         moveForward(leaf, sg, all, lit, to);
         if (unsupported) _sorter.say(unsupported, "drawn as without the node, not lit by the environment", leaf._drawable);
     }
@@ -172,7 +176,7 @@ class SurfaceSort
     void keep(osgUtil::RenderLeaf& leaf, osgUtil::StateGraph* sg, const SurfaceState& state, unsigned bits,
               osgUtil::RenderBin::StateGraphList& kept)
     {
-        kinds.lobes |= lobeBit(state);
+        kinds.lobes |= lobeBits(state);
         ++kinds.deferred;
         osgUtil::StateGraph* n = sg->find_or_insert(_sorter.variant(bits));
         if (n->leaves_empty()) kept.push_back(n);
@@ -201,13 +205,14 @@ class SurfaceSort
 
 const osg::StateSet* SurfaceSorter::variant(unsigned bits)
 {
-    static const char* const defines[] = {"NO_TEXTURE",       "LINEAR_TEXTURE",   "TEXTURE_REPLACE",        "TEXTURE_DECAL",
-                                          "TEXTURE_BLEND",    "TEXTURE_ADD",      "ALPHA_TEXTURE",          "TEXGEN_OBJECT",
-                                          "TEXGEN_EYE",       "TEXGEN_PROJECTED", "PAINTED_REFLECTION",     "UNLIT",
-                                          "VERTEX_COLOR",     "FACE_NORMAL",      "PHONG_MATERIAL",         "TWO_SIDED",
-                                          "ENVLIGHT_LAMBERT", "ENVLIGHT_PHONG",   "ENVLIGHT_COOK_TORRANCE", "CLIP_PLANES",
-                                          "NORMAL_MAP",       "METAL_ROUGH_MAP",  "EMISSION_MAP",           "ENVLIGHT_EMISSION",
-                                          "ENVLIGHT_STRAUSS"};
+    static const char* const defines[] = {"NO_TEXTURE",          "LINEAR_TEXTURE",   "TEXTURE_REPLACE",        "TEXTURE_DECAL",
+                                          "TEXTURE_BLEND",       "TEXTURE_ADD",      "ALPHA_TEXTURE",          "TEXGEN_OBJECT",
+                                          "TEXGEN_EYE",          "TEXGEN_PROJECTED", "PAINTED_REFLECTION",     "UNLIT",
+                                          "VERTEX_COLOR",        "FACE_NORMAL",      "PHONG_MATERIAL",         "TWO_SIDED",
+                                          "ENVLIGHT_LAMBERT",    "ENVLIGHT_PHONG",   "ENVLIGHT_COOK_TORRANCE", "CLIP_PLANES",
+                                          "NORMAL_MAP",          "METAL_ROUGH_MAP",  "EMISSION_MAP",           "COAT_MAP",
+                                          "COAT_ROUGHNESS_MAP",  "COAT_NORMAL_MAP",  "ENVLIGHT_EMISSION",      "ENVLIGHT_STRAUSS",
+                                          "ENVLIGHT_DIELECTRIC", "ENVLIGHT_COAT"};
     std::lock_guard<std::mutex> lock(_mutex);
     osg::ref_ptr<osg::StateSet>& stateSet = _variants[bits];
     if (!stateSet) {

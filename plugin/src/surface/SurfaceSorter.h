@@ -82,8 +82,13 @@ class OSGENVLIGHT_EXPORT SurfaceSorter : public osg::Referenced
         NORMAL_MAP = 1u << 20,
         METAL_ROUGH_MAP = 1u << 21,
         EMISSION_MAP = 1u << 22,
-        ENVLIGHT_EMISSION = 1u << 23,
-        ENVLIGHT_STRAUSS = 1u << 24
+        COAT_MAP = 1u << 23,
+        COAT_ROUGHNESS_MAP = 1u << 24,
+        COAT_NORMAL_MAP = 1u << 25,
+        ENVLIGHT_EMISSION = 1u << 26,
+        ENVLIGHT_STRAUSS = 1u << 27,
+        ENVLIGHT_DIELECTRIC = 1u << 28,
+        ENVLIGHT_COAT = 1u << 29
     };
     const osg::StateSet* variant(unsigned bits);
     void say(const char* what, const char* how, const osg::Drawable* drawable);

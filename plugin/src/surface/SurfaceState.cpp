@@ -3,8 +3,6 @@
 
 #include "surface/MaterialMaps.h"
 
-#include <osgEnvLight/Material>
-
 #include <osg/BlendEquation>
 #include <osg/BlendFunc>
 #include <osg/ColorMask>
@@ -95,12 +93,15 @@ void SurfaceState::mergeMaps(const osg::StateSet& s)
     for (size_t i = 0; i < _mapUnits.size(); ++i)
         if (const osg::Uniform* unit = s.getUniform(MaterialMaps::samplers[i])) unit->get(_mapUnits[i]);
     if (s.getUniform(MaterialMaps::emission)) _emits = true;
+    if (s.getUniform(MaterialMaps::dielectric)) _dielectric = true;
+    if (const osg::Uniform* coat = s.getUniform(MaterialMaps::coat)) coat->get(_coat);
     if (const osg::Uniform* colors = s.getUniform(MaterialMaps::vertexColors)) colors->get(_ownVertexColors);
 }
 
 bool SurfaceState::mapped(unsigned map) const
 {
     const int unit = _mapUnits[map];
+    if (map >= MaterialMaps::firstOfCoat && !coated()) return false;
     if (_brdf < 0 || unit < 1 || unit > int(laterUnits)) return false;
     const auto* t = _units[size_t(unit) - 1].texture.as<osg::Texture2D>();
     return t && SurfaceFacts::hasTexels(*t);

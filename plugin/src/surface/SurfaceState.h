@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgEnvLight/Export>
+#include <osgEnvLight/Material>
 #include "surface/SurfaceFacts.h"
 
 #include <osg/Depth>
@@ -81,8 +82,12 @@ class OSGENVLIGHT_EXPORT SurfaceState
     bool phongMaterial() const;
     /** Back faces have a material of their own. */
     bool twoSided() const;
-    /** It has the texture of MaterialMaps::samplers[map]. */
+    /** It reads the texture of MaterialMaps::samplers[map]. */
     bool mapped(unsigned map) const;
+    /** A Material says what reflectance it has where it is not metal. */
+    bool dielectric() const { return _dielectric && (_brdf == Material::COOK_TORRANCE || _brdf == Material::BECKMANN); }
+    /** It has a clear coat. */
+    bool coated() const { return _coat > 0.0f && _brdf == Material::COOK_TORRANCE; }
     /** A Material says what it emits. */
     bool emits() const { return _emits; }
     /** Planes of the host's cut it. */
@@ -162,7 +167,9 @@ class OSGENVLIGHT_EXPORT SurfaceState
     const osg::Depth* _nodeDepth = nullptr;
     bool _ownProgram = false;
     int _brdf = -1;
-    std::array<int, 3> _mapUnits{};  // 0: none
+    std::array<int, 6> _mapUnits{};  // 0: none
+    float _coat = 0.0f;              // its strength
+    bool _dielectric = false;
     bool _emits = false;
     bool _ownVertexColors = false;  // a BRDF of ours takes them
 };

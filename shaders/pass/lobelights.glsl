@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// What a pixel sees of the lights of the sky shadow atlas in its lobe [specular.md 4].
+#ifndef LOBELIGHTS_GLSL
+#define LOBELIGHTS_GLSL
+#pragma import_defines(HAS_ATLAS)
+
+#include "lib/bsdf.glsl"
+#include "lib/limits.glsl"
+#include "lib/octahedral.glsl"
+#include "pass/lobesums.glsl"
+#include "pass/lobewidth.glsl"
+#ifdef HAS_ATLAS
+#include "pass/atlas.glsl"
+#endif
+
+// Narrower lobes would see the nearest light alone, and show a step where another becomes the nearest.
+const float LEAST_LIT_ROUGHNESS = 0.1;
+
+// A pixel's lobe in the frame of the lights.
+struct PixelLobe {
+    mat3 lightsFromLocal;
+    vec3 view;      // local
+    Bsdf bsdf;
+    float dealt;    // weight of the lights that are not near it: in a narrow lobe's tails a pixel has too few, and they are noise
+    int near;       // how many lights near its direction each pixel evaluates
+    uvec4 nearest;  // their numbers, as in nearestLightMap
+    uint nearOwn;   // bit i: light i of the pixel's own group is one of them
+};
+
+PixelLobe pixelLobe(mat3 lightsFromLocal, vec3 view, Bsdf bsdf)
+{
+    float dealt = smoothstep(DEALT_ROUGHNESS.x, DEALT_ROUGHNESS.y, bsdf.roughness);
+    return PixelLobe(lightsFromLocal, view, bsdf, dealt, 0, uvec4(0u), 0u);
+}
+
+// Number of the k-th near light. No component is chosen by an index: software renderers would keep the vector in memory.
+int nearLight(PixelLobe lobe, int k)
+{
+    uvec2 two = k < 8 ? lobe.nearest.xy : lobe.nearest.zw;
+    return int(((k & 4) == 0 ? two.x : two.y) >> uint(8 * (k & 3)) & 255u);
+}
+
+// flux: of the light, times the cosine; direction: unit; count: of lights that it stands for.
+void addToLobe(PixelLobe lobe, vec4 flux, vec3 direction, bool isSeen, float count, inout LobeLights sums)
+{
+    vec3 l = direction * lobe.lightsFromLocal;
+    float alpha = lobe.bsdf.roughness * lobe.bsdf.roughness;
+    // Times alpha^2, about one over the lobe's peak: the sums are kept in half floats.
+    vec3 e = flux.rgb * bsdfLobe(lobe.bsdf, lobe.view, l) * (count * alpha * alpha);
+    float s = flux.a * lobeShare(lobe.view, l, alpha) * count;
+    float seen = isSeen ? 1.0 : 0.0;
+    sums.seen += seen * e;
+    sums.all += e;
+    sums.sky += s * vec2(seen, 1.0);
+}
+
+#ifdef HAS_ATLAS
+// group: the pixel's own, whose lights are not to be counted twice.
+PixelLobe withNearLights(PixelLobe lobe, int group)
+{
+    int side = textureSize(nearestLightMap, 0).y;
+    vec3 d = lobe.lightsFromLocal * vec3(-lobe.view.x, -lobe.view.y, lobe.view.z);
+    ivec2 cell = min(ivec2(octahedralFromDirection(d) * float(side)), side - 1);
+    lobe.near = NEAREST_LIGHTS;
+    lobe.nearest = texelFetch(nearestLightMap, cell, 0);
+    for (int k = 0; k < NEAREST_LIGHTS; ++k) {
+        int light = nearLight(lobe, k);
+        if (light % LIGHT_GROUPS == group) lobe.nearOwn |= 1u << uint(light / LIGHT_GROUPS);
+    }
+    return lobe;
+}
+
+// point, normal: of the surface, in the frame of the lights.
+void addNearLights(PixelLobe lobe, vec3 point, vec3 normal, inout LobeLights sums)
+{
+    for (int k = 0; k < lobe.near; ++k) {
+        int number = nearLight(lobe, k);
+        AtlasLight light = atlasLight(number % LIGHT_GROUPS, number / LIGHT_GROUPS);
+        float c = dot(normal, light.direction);
+        if (c <= 0.0) continue;
+        // At the rim of round bodies the maps' texels hide the surface from lights that graze it.
+        bool seen = atlasSees(light, point, normal, c) > 0.5;
+        addToLobe(lobe, c * vec4(light.flux, light.solidAngle), light.direction, seen, smoothstep(0.0, 0.1, c), sums);
+    }
+}
+#endif
+
+#endif

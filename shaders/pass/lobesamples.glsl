@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// The map's radiance in a lobe, the integral of L f_H cos [seed 000, eq. 3, first term] over the lobe's albedo, and what it reflects of
+// the suns. Filtered importance sampling [Colbert, Krivanek 2008] draws directions from the BRDF and looks up the pyramid at the level
+// whose texels are as wide as the sample's share of the lobe. Radiance in units of the map's mean.
+#ifndef LOBESAMPLES_GLSL
+#define LOBESAMPLES_GLSL
+#pragma import_defines(HAS_SUNS)
+
+#include "lib/frame.glsl"
+#include "lib/latlong.glsl"
+#include "lib/limits.glsl"
+#include "lib/octahedral.glsl"
+#include "lib/sequence.glsl"
+#include "pass/albedo.glsl"
+#ifdef HAS_SUNS
+#include "lib/glint.glsl"
+#include "pass/suns.glsl"
+#endif
+
+uniform sampler2D pyramidMap;
+uniform sampler2D latlongMap;
+uniform float pyramidSide;
+uniform float pyramidLastLevel;
+uniform int specularSamples;
+uniform vec2 sampleShift;    // of the points, in a still view
+uniform float sampleFrames;  // that will be averaged: each sample is as narrow as a share of theirs
+
+// Below this alpha one look-up at the map's own resolution is the lobe: a texel of a 1024-wide map is wider.
+const float MIRROR_ALPHA = 0.0009;
+
+struct LobePixel {
+    Bsdf bsdf;
+    float alpha;
+    vec3 view;        // local
+    mat3 mapFromLocal;
+    float group;      // number in its cell, less apart where fewer pixels share their lobes
+    float companions; // pixels that the filter averages with this one
+};
+
+vec3 mirror(vec3 d)
+{
+    return textureLod(latlongMap, latlongFromDirection(d), 0.0).rgb;
+}
+
+vec2 unitVector(float angle)
+{
+    return vec2(cos(angle), sin(angle));
+}
+
+// The azimuth of the next sample from that of the one before, both as unit vectors: they follow each other by equal angles.
+vec2 nextAzimuth(vec2 azimuth, vec2 turn)
+{
+    return vec2(azimuth.x * turn.x - azimuth.y * turn.y, azimuth.x * turn.y + azimuth.y * turn.x);
+}
+
+vec2 firstAzimuth(LobePixel l)
+{
+    return unitVector(TWO_PI * (cellPoint(0, l.group, specularSamples).x + 0.5 / float(specularSamples) + sampleShift.x));
+}
+
+// Where sample i lies between the lobe's middle and its end. The tails get more samples than their share of the lobe, each with less
+// weight: a lamp there may outshine what the middle shows.
+struct Tail {
+    float left;   // share of the lobe that lies farther out, above 0
+    float count;  // for how many samples of the lobe it counts, 1 in the mean
+};
+
+// even: share of the samples that are spread as the lobe is.
+Tail sampleTail(LobePixel l, int i, float even)
+{
+    float left = max(1.0 - fract(cellPoint(i, l.group, specularSamples).y + sampleShift.y), 1e-15);
+    return Tail(left * mix(left, 1.0, even), mix(2.0 * left, 1.0, even));
+}
+
+// The level of the pyramid whose texels are as wide as one of the samples at density 1; half the density's log2 finer is right.
+float lodOfUnitDensity(LobePixel l)
+{
+    return log2(pyramidSide) - 0.5 * log2(4.0 * PI * float(specularSamples) * sampleFrames * l.companions);
+}
+
+vec3 filtered(vec3 d, float lod)
+{
+    return pyramidLookup(pyramidMap, pyramidSide, pyramidLastLevel, d, lod);
+}
+
+#ifdef HAS_MICROFACETS
+// Normals are drawn from those of GGX that are visible; other distributions of the same alpha weigh them (specular.md 6).
+vec4 microfacets(LobePixel l)
+{
+    vec3 v = l.view;
+    GgxCap cap = ggxCap(v, l.alpha);
+    float rootV = ggxRoot(v.z, l.alpha);
+    float pdfFactor = ggxPdfFactor(v.z, rootV, l.alpha);
+    float lodOfUnitSpread = lodOfUnitDensity(l) - 0.5 * log2(pdfFactor);
+    vec2 azimuth = firstAzimuth(l);
+    vec2 turn = unitVector(TWO_PI / float(specularSamples));
+    vec3 num = vec3(0.0);
+    vec3 den = vec3(0.0);
+    for (int i = 0; i < specularSamples; ++i) {
+        Tail tail = sampleTail(l, i, l.alpha);
+        vec3 h = ggxCapNormal(cap, azimuth, 1.0 - tail.left);
+        azimuth = nextAzimuth(azimuth, turn);
+        float c = dot(v, h);
+        vec3 d = 2.0 * c * h - v;
+        float spread = ggxSpread(h, l.alpha);
+        float w = d.z > 0.0 ? tail.count * ggxUnshadowed(v.z, rootV, d.z, ggxRoot(d.z, l.alpha)) : 0.0;
+#if defined(HAS_BECKMANN) || defined(HAS_BLINN_PHONG)
+        if (l.bsdf.brdf != BRDF_COOK_TORRANCE)
+            w = tail.count * bsdfMicrofacets(l.bsdf, v, d, h) * max(d.z, 0.0) * spread * spread / pdfFactor;
+#endif
+        vec3 weight = w * bsdfFresnel(l.bsdf, c);
+        num += weight * filtered(l.mapFromLocal * d, lodOfUnitSpread + log2(spread) + 0.5 * log2(tail.count));
+        den += weight;
+    }
+    // Of sums that are divided by the weights' share of their mean, the albedo, an even map has no noise.
+    float weight = dot(den * l.bsdf.energy, vec3(1.0)) / max(dot(l.bsdf.reflected, vec3(1.0)), 1e-4);
+    return vec4(num * l.bsdf.energy, weight) / float(specularSamples);
+}
+#endif
+
+#if defined(HAS_PHONG) || defined(HAS_STRAUSS)
+vec4 mirrorLobe(LobePixel l)
+{
+    float n = phongExponent(l.bsdf.roughness);
+    mat3 lobe = frameAround(vec3(-l.view.x, -l.view.y, l.view.z));
+    vec2 azimuth = firstAzimuth(l);
+    vec2 turn = unitVector(TWO_PI / float(specularSamples));
+    float unitLod = lodOfUnitDensity(l);
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < specularSamples; ++i) {
+        Tail tail = sampleTail(l, i, 0.0);
+        float logU = log(tail.left);
+        vec3 d = lobe * phongDirection(n, azimuth, logU);
+        azimuth = nextAzimuth(azimuth, turn);
+        float lod = unitLod + 0.5 * (log(tail.count) - phongLogPdf(n, logU)) / log(2.0);
+        sum += bsdfMirrored(l.bsdf, l.view.z, d.z) * (tail.count * max(d.z, 0.0)) * filtered(l.mapFromLocal * d, lod);
+    }
+    return vec4((n + 2.0) / (n + 1.0) * sum / float(specularSamples), 1.0);
+}
+#endif
+
+// Of radiance and weight, by samples of the lobe; their weight is 1 in the mean.
+vec4 sampled(LobePixel l)
+{
+    bool isMirror = l.alpha < MIRROR_ALPHA;
+    vec3 seen = isMirror ? mirror(l.mapFromLocal * vec3(-l.view.x, -l.view.y, l.view.z)) : vec3(0.0);
+#ifdef HAS_MICROFACETS
+    if (isMicrofacets(l.bsdf.brdf)) return isMirror ? vec4(l.bsdf.energy * bsdfFresnel(l.bsdf, l.view.z) * seen, 1.0) : microfacets(l);
+#endif
+#if defined(HAS_PHONG) || defined(HAS_STRAUSS)
+    if (isMirrored(l.bsdf.brdf)) {
+        float n = phongExponent(l.bsdf.roughness);
+        float c = l.view.z;
+        return isMirror ? vec4(bsdfMirrored(l.bsdf, c, c) * ((n + 2.0) / (n + 1.0) * c) * seen, 1.0) : mirrorLobe(l);
+    }
+#endif
+    return vec4(0.0);
+}
+
+#ifdef HAS_SUNS
+vec3 glint(LobePixel l)
+{
+    vec3 sum = vec3(0.0);
+    if (l.alpha < MIRROR_ALPHA) return sum;
+    for (int i = 0; i < sunCount; ++i)
+        sum += sunVisibility(i) * sunRadiance[i] * bsdfDisc(l.bsdf, sunDirection[i] * l.mapFromLocal, l.view, sunRadius[i]);
+    return sum;
+}
+#endif
+
+#endif
