@@ -80,7 +80,7 @@ void SceneState::merge(const osg::StateSet& s)
     if (!s.getTextureAttributeList().empty()) _textureMatrix.merge(s.getTextureAttributePair(0, osg::StateAttribute::TEXMAT));
     for (const auto& [name, pair] : s.getUniformList()) {
         const auto former = _uniforms.find(name);
-        if (former == _uniforms.end() || wins(pair.second, former->second.second)) _uniforms[name] = pair;
+        if (former == _uniforms.end() || stateWins(pair.second, former->second.second)) _uniforms[name] = pair;
     }
 }
 
@@ -151,6 +151,9 @@ SurfaceMaterial SceneState::material(const osg::Geometry& geometry, bool linearC
     if (const char* what = unsupported(&geometry)) leftOut.insert(std::string(what) + ": lit as if they were not there");
     for (unsigned map = 0; map < std::size(MaterialMaps::samplers); ++map)
         if (mapped(map)) leftOut.insert("normal, roughness, emission and coat maps: their surfaces have the material without");
+    for (const TextureStage& stage : stages())
+        if (stage.kind != limits::STAGE_NONE)
+            leftOut.insert("texture units beyond the first, and normal maps: their surfaces have the first alone");
     if (paintedReflection()) leftOut.insert("painted reflections: their surfaces have the material without");
     if (_alphaTest.on && _alphaFunction.attribute) {
         const auto& f = static_cast<const osg::AlphaFunc&>(*_alphaFunction.attribute);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What shaders and C++ share: the lengths of arrays and textures that one fills and the other reads, and the marks of pixels.
+// What shaders and C++ share: the lengths of arrays and textures that one fills and the other reads, the marks of pixels, and how
+// texture units join.
 #ifndef LIMITS_GLSL
 #define LIMITS_GLSL
 
@@ -19,5 +20,17 @@ const float MARK_TRACED = 0.25;   // a surface with a lobe that is narrow enough
 const float MARK_GLOSSY = 0.375;  // a surface with a lobe
 const float MARK_SURFACE = 0.5;
 const float MARK_NONE = 1.0;
+
+// How the texture of a unit joins the colour below it: as TexEnv and the forms of TexEnvCombine that say the same.
+const int STAGE_NONE = 0;
+const int STAGE_MODULATE = 1;
+const int STAGE_REPLACE = 2;
+const int STAGE_DECAL = 3;
+const int STAGE_BLEND = 4;
+const int STAGE_ADD = 5;
+const int STAGE_ADD_SIGNED = 6;
+const int STAGE_NORMALS = 7;      // it is a normal map (DOT3)
+const int STAGE_OTHER = 8;        // drawn as without us
+const int STAGED_UNITS = 4;
 
 #endif

@@ -2,7 +2,7 @@
 // Textures of osgEnvLight::Material beside the base colour, each with coordinates of its own.
 #ifndef MATERIALMAPS_GLSL
 #define MATERIALMAPS_GLSL
-#pragma import_defines(NORMAL_MAP, METAL_ROUGH_MAP, EMISSION_MAP, COAT_MAP, COAT_ROUGHNESS_MAP, COAT_NORMAL_MAP)
+#pragma import_defines(NORMAL_MAP, METAL_ROUGH_MAP, EMISSION_MAP, COAT_MAP, COAT_ROUGHNESS_MAP, COAT_NORMAL_MAP, TEXTURE_STAGES)
 
 #if defined(NORMAL_MAP) || defined(METAL_ROUGH_MAP) || defined(EMISSION_MAP)
 #define HAS_MAPS
@@ -20,7 +20,7 @@ vec2 mapCoordinate(int set, mat3 transform)
 }
 #endif
 
-#if defined(NORMAL_MAP) || defined(COAT_NORMAL_MAP)
+#if defined(NORMAL_MAP) || defined(COAT_NORMAL_MAP) || defined(TEXTURE_STAGES)
 // The unit normal n about which a texel turns it, in tangents that follow from the coordinates [Schueler, GPU Pro 4 (2013)];
 // n where they do not change. up: -1 if the second coordinate is 0 at the picture's top.
 vec3 bentNormal(vec3 n, vec3 eye, vec2 st, vec3 texel, float scale, float up)

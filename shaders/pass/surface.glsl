@@ -3,7 +3,7 @@
 // and of vertices, and of images without floats, are sRGB encoded; those of our Material are linear.
 #ifndef SURFACE_GLSL
 #define SURFACE_GLSL
-#pragma import_defines(HAS_SUN_MAPS, ENVLIGHT_COOK_TORRANCE, ENVLIGHT_LAMBERT, ENVLIGHT_PHONG, ENVLIGHT_STRAUSS, FACE_NORMAL, VERTEX_COLOR, UNLIT, NO_TEXTURE, LINEAR_TEXTURE, ALPHA_TEXTURE, TEXTURE_REPLACE, TEXTURE_DECAL, TEXTURE_BLEND, TEXTURE_ADD, PAINTED_REFLECTION, PHONG_MATERIAL, TWO_SIDED, ENVLIGHT_EMISSION, ENVLIGHT_DIELECTRIC, ENVLIGHT_COAT)
+#pragma import_defines(HAS_SUN_MAPS, ENVLIGHT_COOK_TORRANCE, ENVLIGHT_LAMBERT, ENVLIGHT_PHONG, ENVLIGHT_STRAUSS, FACE_NORMAL, VERTEX_COLOR, UNLIT, NO_TEXTURE, LINEAR_TEXTURE, ALPHA_TEXTURE, TEXTURE_REPLACE, TEXTURE_DECAL, TEXTURE_BLEND, TEXTURE_ADD, PAINTED_REFLECTION, PHONG_MATERIAL, TWO_SIDED, ENVLIGHT_EMISSION, ENVLIGHT_DIELECTRIC, ENVLIGHT_COAT, WHITE)
 
 #include "lib/brdfs.glsl"
 #include "lib/bulge.glsl"
@@ -15,6 +15,7 @@
 #include "lib/tone.glsl"
 #include "pass/hostcolor.glsl"
 #include "pass/materialmaps.glsl"
+#include "pass/texturestages.glsl"
 
 uniform sampler2D baseColorMap;
 
@@ -144,6 +145,9 @@ vec4 surfaceColor(vec4 material)
 #ifndef NO_TEXTURE
     base = combined(base, surfaceTexel());
 #endif
+#ifdef TEXTURE_STAGES
+    base = stagedColor(base);
+#endif
     return base;
 }
 
@@ -187,6 +191,9 @@ Surface readSurface()
 #ifdef NORMAL_MAP
     s.normal = mappedNormal(s.normal, eyePosition);
 #endif
+#ifdef TEXTURE_STAGES
+    s.normal = stagedNormal(s.normal, eyePosition);
+#endif
     s.roughness = 1.0;
     s.f0 = vec3(0.0);
     s.brdf = BRDF_LAMBERT;
@@ -205,6 +212,9 @@ Surface readSurface()
 #endif
 #if defined(ENVLIGHT_LAMBERT) || defined(ENVLIGHT_PHONG)
     material.rgb = envlightDiffuse;
+#endif
+#ifdef WHITE
+    material.rgb = vec3(1.0);
 #endif
     vec4 base = surfaceColor(material);
     s.alpha = base.a;

@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // Geometry of the host's own drawables, for the G-buffer and for what is drawn forward.
-#pragma import_defines(HAS_SUN_MAPS, CLIP_PLANES, NO_TEXTURE, TEXGEN_OBJECT, TEXGEN_EYE, TEXGEN_PROJECTED, NORMAL_MAP, METAL_ROUGH_MAP, EMISSION_MAP, COAT_MAP, COAT_ROUGHNESS_MAP, COAT_NORMAL_MAP)
+#pragma import_defines(HAS_SUN_MAPS, CLIP_PLANES, NO_TEXTURE, TEXGEN_OBJECT, TEXGEN_EYE, TEXGEN_PROJECTED, NORMAL_MAP, METAL_ROUGH_MAP, EMISSION_MAP, COAT_MAP, COAT_ROUGHNESS_MAP, COAT_NORMAL_MAP, TEXTURE_STAGES)
 #if defined(NORMAL_MAP) || defined(METAL_ROUGH_MAP) || defined(EMISSION_MAP)
 #define HAS_MAPS
 #endif
@@ -21,6 +21,9 @@ out vec4 vertexColor;
 out vec3 textureCoordinate;  // s, t, q
 #ifdef HAS_MAPS
 out vec4 mapCoordinates;     // of the arrays 0 and 1
+#endif
+#ifdef TEXTURE_STAGES
+out vec3 stageCoordinates[4];  // s, t, q of the units 0 to 3
 #endif
 
 void main()
@@ -53,6 +56,12 @@ void main()
 #endif
 #ifdef HAS_MAPS
     mapCoordinates = vec4(gl_MultiTexCoord0.xy, gl_MultiTexCoord1.xy);
+#endif
+#ifdef TEXTURE_STAGES
+    stageCoordinates[0] = (gl_TextureMatrix[0] * gl_MultiTexCoord0).xyw;
+    stageCoordinates[1] = (gl_TextureMatrix[1] * gl_MultiTexCoord1).xyw;
+    stageCoordinates[2] = (gl_TextureMatrix[2] * gl_MultiTexCoord2).xyw;
+    stageCoordinates[3] = (gl_TextureMatrix[3] * gl_MultiTexCoord3).xyw;
 #endif
     gl_Position = ftransform();
     gl_Position.xy += subpixel * gl_Position.w;

@@ -4,9 +4,9 @@
 namespace osgEnvLight
 {
 
-/** The uniforms by which a state set has what a Material adds to its BRDF; of a map: a sampler, whose value is the texture's unit; with
- * the suffix TexCoord the array of texture coordinates (0 or 1), with Transform a mat3 for (s, t, 1). As pass/materialmaps.glsl
- * reads them.*/
+/** The uniforms by which a state set has what a Material adds to its BRDF; of a map: a sampler, whose value is the texture's
+ * unit; with the suffix TexCoord the array of texture coordinates (0 or 1), with Transform a mat3 for (s, t, 1). As
+ * pass/materialmaps.glsl reads them.*/
 struct MaterialMaps {
     static constexpr const char* normal = "envlightNormalMap";
     static constexpr const char* metalRough = "envlightMetalRoughMap";

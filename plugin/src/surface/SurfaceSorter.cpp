@@ -8,7 +8,9 @@
 #include <osg/Geometry>
 #include <osg/Notify>
 
+#include <algorithm>
 #include <iterator>
+#include <tuple>
 #include <unordered_map>
 
 namespace osgEnvLight
@@ -53,6 +55,20 @@ void releaseBin(osgUtil::RenderBin& bin, const osg::StateSet& ours)
     for (auto& [number, child] : bin.getRenderBinList()) releaseBin(*child, ours);
 }
 
+// What pass/texturestages.glsl reads.
+void addStages(const SurfaceState::Stages& stages, osg::StateSet& stateSet)
+{
+    osg::ref_ptr<osg::Uniform> kinds = new osg::Uniform(osg::Uniform::INT, "textureStages", int(stages.size()));
+    osg::ref_ptr<osg::Uniform> scales = new osg::Uniform(osg::Uniform::FLOAT, "textureScales", int(stages.size()));
+    osg::ref_ptr<osg::Uniform> samplers = new osg::Uniform(osg::Uniform::SAMPLER_2D, "stageMaps", int(stages.size()));
+    for (unsigned unit = 0; unit < stages.size(); ++unit) {
+        kinds->setElement(unit, stages[unit].kind);
+        scales->setElement(unit, stages[unit].scale);
+        samplers->setElement(unit, int(unit));
+    }
+    for (osg::Uniform* u : {kinds.get(), scales.get(), samplers.get()}) stateSet.addUniform(u);
+}
+
 }  // namespace
 
 // One sort: the states met so far, and where things go.
@@ -71,9 +87,9 @@ class SurfaceSort
         for (osgUtil::StateGraph* sg : list) {
             const SurfaceState& state = effective(sg);
             const bool blends = sorted && state.blending();
-            const unsigned bits = variantBits(state);
+            const SurfaceSorter::Variation variation = variationOf(state);
             if (const char* what = state.ignored()) _sorter.say(what, "not drawn", nullptr);
-            for (auto& leaf : sg->_leaves) place(*leaf, sg, state, bits, blends, kept, to);
+            for (auto& leaf : sg->_leaves) place(*leaf, sg, state, variation, blends, kept, to);
             sg->_leaves.clear();
         }
         list.swap(kept);
@@ -138,13 +154,17 @@ class SurfaceSort
         return state.phongMaterial() ? 1u << Material::BLINN_PHONG : 0u;
     }
 
-    static unsigned variantBits(const SurfaceState& state)
+    static SurfaceSorter::Variation variationOf(const SurfaceState& state)
     {
         using S = SurfaceSorter;
         unsigned bits = textureBits(state);
+        const SurfaceState::Stages stages = state.stages();
+        for (const TextureStage& stage : stages)
+            if (stage.kind != limits::STAGE_NONE) bits |= S::TEXTURE_STAGES;
         if (state.paintedReflection()) bits |= S::PAINTED_REFLECTION;
         if (state.paintedHighlight()) bits |= S::TEXTURE_ADD;
         if (state.unlit()) bits |= S::UNLIT;
+        if (state.white()) bits |= S::WHITE;
         if (state.vertexColored()) bits |= S::VERTEX_COLOR;
         if (state.phongMaterial()) bits |= S::PHONG_MATERIAL;
         if (state.twoSided()) bits |= S::TWO_SIDED;
@@ -155,43 +175,44 @@ class SurfaceSort
         if (state.dielectric()) bits |= S::ENVLIGHT_DIELECTRIC;
         if (state.coated()) bits |= S::ENVLIGHT_COAT;
         if (state.brdf() >= 0 && state.emits()) bits |= S::ENVLIGHT_EMISSION;
-        return bits;
+        return {bits, stages};
     }
 
-    void place(osgUtil::RenderLeaf& leaf, osgUtil::StateGraph* sg, const SurfaceState& state, unsigned bits, bool blends,
-               osgUtil::RenderBin::StateGraphList& kept, osgUtil::RenderBin* to)
+    void place(osgUtil::RenderLeaf& leaf, osgUtil::StateGraph* sg, const SurfaceState& state, SurfaceSorter::Variation variation,
+               bool blends, osgUtil::RenderBin::StateGraphList& kept, osgUtil::RenderBin* to)
     {
         const osg::Geometry* geometry = geometryOf(leaf);
-        const unsigned all = bits | (lacksNormals(geometry) ? unsigned(SurfaceSorter::FACE_NORMAL) : 0u);
+        if (lacksNormals(geometry)) variation.bits |= SurfaceSorter::FACE_NORMAL;
         const bool foreign = leaf._projection.get() != _places.projection;
-        if (!foreign && !blends && !state.drawnForward(geometry)) return keep(leaf, sg, state, all, kept);
+        if (!foreign && !blends && !state.drawnForward(geometry)) return keep(leaf, sg, state, variation, kept);
         const char* unsupported = foreign ? nullptr : state.unsupported(geometry);
         const bool lit = !foreign && !unsupported && state.litForward();
         if (lit) kinds.forwardLobes |= lobeBits(state);
-        moveForward(leaf, sg, all, lit, to);
+        moveForward(leaf, sg, variation, lit, to);
         if (unsupported) _sorter.say(unsupported, "drawn as without the node, not lit by the environment", leaf._drawable);
     }
 
     // One level down, under the variant that reads its state.
-    void keep(osgUtil::RenderLeaf& leaf, osgUtil::StateGraph* sg, const SurfaceState& state, unsigned bits,
-              osgUtil::RenderBin::StateGraphList& kept)
+    void keep(osgUtil::RenderLeaf& leaf, osgUtil::StateGraph* sg, const SurfaceState& state,
+              const SurfaceSorter::Variation& variation, osgUtil::RenderBin::StateGraphList& kept)
     {
         kinds.lobes |= lobeBits(state);
         ++kinds.deferred;
-        osgUtil::StateGraph* n = sg->find_or_insert(_sorter.variant(bits));
+        osgUtil::StateGraph* n = sg->find_or_insert(_sorter.variant(variation));
         if (n->leaves_empty()) kept.push_back(n);
         n->addLeaf(&leaf);
     }
 
     // The same path, rooted beside our state set instead of below it, and below the forward one where that lights it.
-    void moveForward(osgUtil::RenderLeaf& leaf, osgUtil::StateGraph* sg, unsigned bits, bool isLit, osgUtil::RenderBin* to)
+    void moveForward(osgUtil::RenderLeaf& leaf, osgUtil::StateGraph* sg, const SurfaceSorter::Variation& variation, bool isLit,
+                     osgUtil::RenderBin* to)
     {
         ++kinds.forward;
         if (!to) return;
         const osg::StateSet* lit = isLit ? _lit() : nullptr;
         if (lit) ++kinds.litForward;
         osgUtil::StateGraph* n = transplanted(sg, &_top, lit ? _top._parent->find_or_insert(lit) : _top._parent);
-        if (lit) n = n->find_or_insert(_sorter.variant(bits));
+        if (lit) n = n->find_or_insert(_sorter.variant(variation));
         if (n->leaves_empty()) _places.moved.push_back({to, n});
         n->addLeaf(&leaf);
     }
@@ -203,7 +224,15 @@ class SurfaceSort
     std::unordered_map<const osgUtil::StateGraph*, SurfaceState> _states;
 };
 
-const osg::StateSet* SurfaceSorter::variant(unsigned bits)
+bool SurfaceSorter::Variation::operator<(const Variation& other) const
+{
+    if (bits != other.bits) return bits < other.bits;
+    return std::lexicographical_compare(
+        stages.begin(), stages.end(), other.stages.begin(), other.stages.end(),
+        [](const TextureStage& a, const TextureStage& b) { return std::tie(a.kind, a.scale) < std::tie(b.kind, b.scale); });
+}
+
+const osg::StateSet* SurfaceSorter::variant(const Variation& variation)
 {
     static const char* const defines[] = {"NO_TEXTURE",          "LINEAR_TEXTURE",   "TEXTURE_REPLACE",        "TEXTURE_DECAL",
                                           "TEXTURE_BLEND",       "TEXTURE_ADD",      "ALPHA_TEXTURE",          "TEXGEN_OBJECT",
@@ -212,13 +241,14 @@ const osg::StateSet* SurfaceSorter::variant(unsigned bits)
                                           "ENVLIGHT_LAMBERT",    "ENVLIGHT_PHONG",   "ENVLIGHT_COOK_TORRANCE", "CLIP_PLANES",
                                           "NORMAL_MAP",          "METAL_ROUGH_MAP",  "EMISSION_MAP",           "COAT_MAP",
                                           "COAT_ROUGHNESS_MAP",  "COAT_NORMAL_MAP",  "ENVLIGHT_EMISSION",      "ENVLIGHT_STRAUSS",
-                                          "ENVLIGHT_DIELECTRIC", "ENVLIGHT_COAT"};
+                                          "ENVLIGHT_DIELECTRIC", "ENVLIGHT_COAT",    "TEXTURE_STAGES",         "WHITE"};
     std::lock_guard<std::mutex> lock(_mutex);
-    osg::ref_ptr<osg::StateSet>& stateSet = _variants[bits];
+    osg::ref_ptr<osg::StateSet>& stateSet = _variants[variation];
     if (!stateSet) {
         stateSet = new osg::StateSet;
         for (unsigned i = 0; i < std::size(defines); ++i)
-            if (bits >> i & 1) stateSet->setDefine(defines[i]);
+            if (variation.bits >> i & 1) stateSet->setDefine(defines[i]);
+        if (variation.bits & TEXTURE_STAGES) addStages(variation.stages, *stateSet);
     }
     return stateSet.get();
 }

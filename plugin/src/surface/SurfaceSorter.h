@@ -5,6 +5,7 @@
 #include <osgEnvLight/Plan>
 
 #include "surface/SurfaceFacts.h"
+#include "surface/SurfaceState.h"
 
 #include <osg/StateSet>
 #include <osgUtil/RenderStage>
@@ -88,14 +89,21 @@ class OSGENVLIGHT_EXPORT SurfaceSorter : public osg::Referenced
         ENVLIGHT_EMISSION = 1u << 26,
         ENVLIGHT_STRAUSS = 1u << 27,
         ENVLIGHT_DIELECTRIC = 1u << 28,
-        ENVLIGHT_COAT = 1u << 29
+        ENVLIGHT_COAT = 1u << 29,
+        TEXTURE_STAGES = 1u << 30,
+        WHITE = 1u << 31
     };
-    const osg::StateSet* variant(unsigned bits);
+    struct Variation {
+        unsigned bits = 0;
+        SurfaceState::Stages stages;
+        bool operator<(const Variation& other) const;
+    };
+    const osg::StateSet* variant(const Variation& variation);
     void say(const char* what, const char* how, const osg::Drawable* drawable);
 
     const osg::ref_ptr<SurfaceFacts> _facts;
     std::mutex _mutex;
-    std::map<unsigned, osg::ref_ptr<osg::StateSet>> _variants;
+    std::map<Variation, osg::ref_ptr<osg::StateSet>> _variants;
     std::set<std::string> _said;
 };
 

@@ -10,7 +10,6 @@
 #include <osg/TexEnv>
 #include <osg/TexGen>
 #include <osg/Texture2D>
-#include <osg/TextureRectangle>
 
 #include <algorithm>
 
@@ -19,13 +18,6 @@ namespace osgEnvLight
 
 namespace
 {
-
-const GLenum textureTargets[] = {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_RECTANGLE};
-
-bool isTextureTarget(GLenum mode)
-{
-    return std::find(std::begin(textureTargets), std::end(textureTargets), mode) != std::end(textureTargets);
-}
 
 bool onlyPointsAndLines(const osg::Geometry& geometry)
 {
@@ -58,25 +50,6 @@ int orderOf(const osg::Depth* depth)
 
 const char* const SurfaceState::gbufferDefine = "OSGENVLIGHT_GBUFFER";
 
-bool SurfaceState::wins(unsigned newFlags, unsigned oldFlags)
-{
-    return !(oldFlags & osg::StateAttribute::OVERRIDE) || (newFlags & osg::StateAttribute::PROTECTED);
-}
-
-void SurfaceState::Mode::merge(osg::StateAttribute::GLModeValue value)
-{
-    if ((value & osg::StateAttribute::INHERIT) || !wins(value, flags)) return;
-    on = (value & osg::StateAttribute::ON) != 0;
-    flags = value;
-}
-
-void SurfaceState::Attribute::merge(const osg::StateSet::RefAttributePair* pair)
-{
-    if (!pair || !wins(pair->second, flags)) return;
-    attribute = pair->first.get();
-    flags = pair->second;
-}
-
 void SurfaceState::merge(const osg::StateSet& s)
 {
     for (const auto& [mode, value] : s.getModeList()) mergeMode(mode, value);
@@ -102,8 +75,8 @@ bool SurfaceState::mapped(unsigned map) const
 {
     const int unit = _mapUnits[map];
     if (map >= MaterialMaps::firstOfCoat && !coated()) return false;
-    if (_brdf < 0 || unit < 1 || unit > int(laterUnits)) return false;
-    const auto* t = _units[size_t(unit) - 1].texture.as<osg::Texture2D>();
+    if (_brdf < 0 || unit < 1 || unit >= int(_units.size())) return false;
+    const auto* t = _units[size_t(unit)].texture.as<osg::Texture2D>();
     return t && SurfaceFacts::hasTexels(*t);
 }
 
@@ -159,19 +132,11 @@ void SurfaceState::mergeAttribute(osg::StateAttribute::Type type, const osg::Sta
 void SurfaceState::mergeTextures(const osg::StateSet& s)
 {
     const auto& modes = s.getTextureModeList();
-    for (unsigned unit = 0; unit < modes.size() && unit <= laterUnits; ++unit)
-        for (const auto& [mode, value] : modes[unit]) {
-            if (unit == 0 && mode >= GL_TEXTURE_GEN_S && mode <= GL_TEXTURE_GEN_Q) _texGen[mode - GL_TEXTURE_GEN_S].merge(value);
-            if (!isTextureTarget(mode)) continue;
-            (unit > 0 ? _units[unit - 1].texturing : mode == GL_TEXTURE_2D ? _texturing : _otherTarget).merge(value);
-        }
+    for (size_t unit = 0; unit < std::min(modes.size(), _units.size()); ++unit)
+        for (const auto& [mode, value] : modes[unit]) _units[unit].mergeMode(mode, value);
     const auto& attributes = s.getTextureAttributeList();
-    for (unsigned unit = 0; unit < attributes.size() && unit <= laterUnits; ++unit)
-        for (const auto& [key, pair] : attributes[unit]) {
-            if (key.first == osg::StateAttribute::TEXTURE) (unit > 0 ? _units[unit - 1].texture : _texture).merge(pair);
-            if (unit == 0 && key.first == osg::StateAttribute::TEXENV) _texEnv.merge(pair);
-            if (unit == 0 && key.first == osg::StateAttribute::TEXGEN) _texGenMode.merge(pair);
-        }
+    for (size_t unit = 0; unit < std::min(attributes.size(), _units.size()); ++unit)
+        for (const auto& [key, pair] : attributes[unit]) _units[unit].mergeAttribute(key.first, pair);
 }
 
 void SurfaceState::enterNode()
@@ -184,46 +149,61 @@ void SurfaceState::enterNode()
 
 const osg::Texture* SurfaceState::texture() const
 {
-    if (!_texturing.on || paintedReflection()) return nullptr;
-    const auto* t = _texture.as<osg::Texture>();
+    const TextureUnit& unit = _units[0];
+    if (!unit.texturing.on || paintedReflection() || unit.stage(true).kind == limits::STAGE_NORMALS) return nullptr;
+    const auto* t = unit.texture.as<osg::Texture>();
     return t && SurfaceFacts::hasTexels(*t) ? t : nullptr;
 }
 
 bool SurfaceState::paintedReflection() const
 {
-    const auto* gen = _texGen[0].on ? _texGenMode.as<osg::TexGen>() : nullptr;
+    const auto* gen = _units[0].texGen[0].on ? _units[0].texGenMode.as<osg::TexGen>() : nullptr;
     const bool mapped = gen && (gen->getMode() == osg::TexGen::SPHERE_MAP || gen->getMode() == osg::TexGen::REFLECTION_MAP ||
                                 gen->getMode() == osg::TexGen::NORMAL_MAP);
-    const auto* t = mapped && (_texturing.on || _otherTarget.on) ? _texture.as<osg::Texture>() : nullptr;
-    return t && SurfaceFacts::hasTexels(*t);
+    return mapped && _units[0].hasTexels();
 }
 
 bool SurfaceState::paintedHighlight() const
 {
-    const auto* env = paintedReflection() ? _texEnv.as<osg::TexEnv>() : nullptr;
+    const auto* env = paintedReflection() ? _units[0].texEnv.as<osg::TexEnv>() : nullptr;
     return env && env->getMode() == osg::TexEnv::ADD;
 }
 
 SurfaceState::TextureMode SurfaceState::textureMode() const
 {
-    const auto* env = texture() ? _texEnv.as<osg::TexEnv>() : nullptr;
-    switch (env ? env->getMode() : osg::TexEnv::MODULATE) {
-        case osg::TexEnv::REPLACE:
+    if (!texture()) return TEXTURE_MODULATES;
+    switch (_units[0].stage(true).kind) {
+        case limits::STAGE_REPLACE:
             return TEXTURE_REPLACES;
-        case osg::TexEnv::DECAL:
+        case limits::STAGE_DECAL:
             return TEXTURE_DECAL;
-        case osg::TexEnv::BLEND:
+        case limits::STAGE_BLEND:
             return TEXTURE_BLENDS;
-        case osg::TexEnv::ADD:
+        case limits::STAGE_ADD:
             return TEXTURE_ADDS;
         default:
             return TEXTURE_MODULATES;
     }
 }
 
+SurfaceState::Stages SurfaceState::stages() const
+{
+    Stages stages;
+    if (_brdf >= 0) return stages;
+    if (_units[0].stage(true).kind == limits::STAGE_NORMALS) stages[0].kind = limits::STAGE_NORMALS;
+    for (size_t unit = 1; unit < stages.size(); ++unit) stages[unit] = _units[unit].stage(false);
+    return stages;
+}
+
+bool SurfaceState::bumped() const
+{
+    const Stages all = stages();
+    return std::any_of(all.begin(), all.end(), [](const TextureStage& s) { return s.kind == limits::STAGE_NORMALS; });
+}
+
 SurfaceState::Coordinates SurfaceState::coordinates() const
 {
-    const auto* gen = _texGen[0].on && texture() ? _texGenMode.as<osg::TexGen>() : nullptr;
+    const auto* gen = _units[0].texGen[0].on && texture() ? _units[0].texGenMode.as<osg::TexGen>() : nullptr;
     if (!gen) return FROM_VERTICES;
     return gen->getMode() == osg::TexGen::OBJECT_LINEAR ? FROM_OBJECT : FROM_EYE;
 }
@@ -231,16 +211,29 @@ SurfaceState::Coordinates SurfaceState::coordinates() const
 TextureFacts SurfaceState::textureFacts() const
 {
     const osg::Texture* t = texture();
-    if (!t) return TextureFacts();
-    return _facts ? _facts->of(*t) : SurfaceFacts::measure(*t);
+    return t ? factsOf(*t) : TextureFacts();
+}
+
+TextureFacts SurfaceState::factsOf(const osg::Texture& texture) const
+{
+    return _facts ? _facts->of(texture) : SurfaceFacts::measure(texture);
+}
+
+bool SurfaceState::tracksColors() const
+{
+    const osg::Material* m = osgMaterial();
+    return !m || m->getColorMode() == osg::Material::DIFFUSE || m->getColorMode() == osg::Material::AMBIENT_AND_DIFFUSE;
+}
+
+bool SurfaceState::white() const
+{
+    return _brdf < 0 && bumped() && tracksColors();
 }
 
 bool SurfaceState::vertexColored() const
 {
-    const osg::Material* m = osgMaterial();
-    const bool colorMode =
-        m && (m->getColorMode() == osg::Material::DIFFUSE || m->getColorMode() == osg::Material::AMBIENT_AND_DIFFUSE);
-    return _brdf < 0 ? unlit() || !m || colorMode : _ownVertexColors;
+    if (_brdf >= 0) return _ownVertexColors;
+    return unlit() || (tracksColors() && !bumped());
 }
 
 bool SurfaceState::phongMaterial() const
@@ -266,7 +259,13 @@ bool SurfaceState::clipped() const
 
 bool SurfaceState::translucent(const osg::Geometry* geometry) const
 {
-    if (_texturing.on && textureMode() != TEXTURE_DECAL && textureFacts().translucent) return true;
+    if (texture() && textureMode() != TEXTURE_DECAL && textureFacts().translucent) return true;
+    const Stages later = stages();
+    for (size_t unit = 1; unit < later.size(); ++unit) {
+        const int kind = later[unit].kind;
+        const bool takesAlpha = kind == limits::STAGE_MODULATE || kind == limits::STAGE_REPLACE || kind == limits::STAGE_BLEND;
+        if (takesAlpha && factsOf(*_units[unit].texture.as<osg::Texture>()).translucent) return true;
+    }
     const osg::Material* m = osgMaterial();
     if (!vertexColored()) return m && m->getDiffuse(osg::Material::FRONT).a() < 1.0f;
     const osg::Array* colors = geometry ? geometry->getColorArray() : nullptr;
@@ -293,14 +292,6 @@ bool SurfaceState::atFarPlane() const
 bool SurfaceState::drawnForward(const osg::Geometry* geometry) const
 {
     return _ownProgram || !storesDepth() || blended(geometry) || unsupported(geometry);
-}
-
-bool SurfaceState::usesLaterUnits() const
-{
-    return std::any_of(_units.begin(), _units.end(), [](const Unit& unit) {
-        const auto* t = unit.texturing.on ? unit.texture.as<osg::Texture>() : nullptr;
-        return t && SurfaceFacts::hasTexels(*t);
-    });
 }
 
 // By what its alpha leaves, in the two forms that draw an opaque surface as without blending.
@@ -342,17 +333,28 @@ const char* SurfaceState::unsupportedRaster(const osg::Geometry* geometry) const
 
 const char* SurfaceState::unsupportedTexture() const
 {
-    if (usesLaterUnits()) return "texture units beyond the first";
+    for (size_t unit = 1; unit < _units.size(); ++unit) {
+        const TextureUnit& u = _units[unit];
+        const int kind = u.stage(false).kind;
+        if (kind == limits::STAGE_NONE) continue;
+        if (unit >= size_t(limits::STAGED_UNITS)) return "texture units beyond the fourth";
+        if (kind == limits::STAGE_OTHER) return "texture units beyond the first that are not Texture2D or combine";
+        if (u.generates()) return "generated texture coordinates beyond the first unit";
+        const TextureFacts facts = factsOf(*u.texture.as<osg::Texture>());
+        if (facts.linear || facts.alphaOnly) return "texture units beyond the first of floats or without colours";
+    }
     if (paintedReflection()) return nullptr;
-    const auto* t = _texture.as<osg::Texture>();
-    if (_otherTarget.on && t && t->getTextureTarget() != GL_TEXTURE_2D && SurfaceFacts::hasTexels(*t))
-        return "textures other than Texture2D";
-    if (!texture()) return nullptr;
-    if (_texEnv.attribute && !_texEnv.as<osg::TexEnv>()) return "texture environments that combine";
-    if (!_texGen[0].on && !_texGen[1].on) return nullptr;
-    const auto* gen = _texGenMode.as<osg::TexGen>();
+    const TextureUnit& first = _units[0];
+    const TextureStage stage = first.stage(true);
+    if (stage.kind == limits::STAGE_NONE) return nullptr;
+    if (first.texture.as<osg::Texture>()->getTextureTarget() != GL_TEXTURE_2D) return "textures other than Texture2D";
+    if (stage.kind == limits::STAGE_OTHER || stage.kind == limits::STAGE_ADD_SIGNED || stage.scale != 1.0f)
+        return "texture environments that combine";
+    if (!first.generates()) return nullptr;
+    const auto* gen = first.texGenMode.as<osg::TexGen>();
     const bool linear = gen && (gen->getMode() == osg::TexGen::OBJECT_LINEAR || gen->getMode() == osg::TexGen::EYE_LINEAR);
-    return linear && _texGen[0].on && _texGen[1].on ? nullptr : "texture coordinates that are generated in part";
+    const bool both = first.texGen[0].on && first.texGen[1].on && stage.kind != limits::STAGE_NORMALS;
+    return linear && both ? nullptr : "texture coordinates that are generated in part";
 }
 
 const char* SurfaceState::unsupported(const osg::Geometry* geometry) const

@@ -4,6 +4,7 @@
 #include <osgEnvLight/Export>
 #include <osgEnvLight/Material>
 #include "surface/SurfaceFacts.h"
+#include "surface/TextureUnit.h"
 
 #include <osg/Depth>
 #include <osg/Geometry>
@@ -24,26 +25,8 @@ class OSGENVLIGHT_EXPORT SurfaceState
     /** @param facts  what is remembered of textures and colours; null: they are read at each question */
     explicit SurfaceState(SurfaceFacts* facts = nullptr) : _facts(facts) {}
 
-    /** Whether what a state set says, with these flags, takes the place of what one above it said. */
-    static bool wins(unsigned newFlags, unsigned oldFlags);
-
-    /** A mode or attribute as it stands after a path of state sets, with the flags it was set with. */
-    struct Mode {
-        bool on = false;
-        unsigned flags = 0;
-        void merge(osg::StateAttribute::GLModeValue value);
-    };
-    struct Attribute {
-        const osg::StateAttribute* attribute = nullptr;
-        unsigned flags = 0;
-        void merge(const osg::StateSet::RefAttributePair* pair);
-        void merge(const osg::StateSet::RefAttributePair& pair) { merge(&pair); }
-        template <class T>
-        const T* as() const
-        {
-            return dynamic_cast<const T*>(attribute);
-        }
-    };
+    using Mode = StateMode;
+    using Attribute = StateValue;
 
     /** Define that, ON in the state set of a Program of the user's, says it writes the G-buffer's outputs itself. */
     static const char* const gbufferDefine;
@@ -63,19 +46,26 @@ class OSGENVLIGHT_EXPORT SurfaceState
     enum TextureMode { TEXTURE_MODULATES, TEXTURE_REPLACES, TEXTURE_DECAL, TEXTURE_BLENDS, TEXTURE_ADDS };
     TextureMode textureMode() const;
     /** Of unit 0; null where nothing is said. */
-    const osg::StateAttribute* textureEnvironment() const { return _texEnv.attribute; }
+    const osg::StateAttribute* textureEnvironment() const { return _units[0].texEnv.attribute; }
     /** Where unit 0's coordinates come from. */
     enum Coordinates { FROM_VERTICES, FROM_OBJECT, FROM_EYE };
     Coordinates coordinates() const;
     /** Their fourth is generated, too. */
-    bool projected() const { return _texGen[3].on; }
+    bool projected() const { return _units[0].texGen[3].on; }
     TextureFacts textureFacts() const;
+    /** How the units of unit 0's texture() and after it join: of unit 0 only whether it is a normal map. */
+    using Stages = std::array<TextureStage, limits::STAGED_UNITS>;
+    Stages stages() const;
+    /** A unit is a normal map of fixed function. */
+    bool bumped() const;
+    /** The colours of its vertices are directions to a light, and it has no other. */
+    bool white() const;
     /** A sphere or cube map stands for a reflection: the surface is taken for polished metal of its colour. */
     bool paintedReflection() const;
     /** It adds to the surface's colour: the surface is taken for polished, not for metal. */
     bool paintedHighlight() const;
     /** GL_LIGHTING is off: the colour is what leaves the surface. */
-    bool unlit() const { return !_lighting.on && _brdf < 0; }
+    bool unlit() const { return !_lighting.on && _brdf < 0 && !bumped(); }
     /** The colour is the vertices' instead of the material's. */
     bool vertexColored() const;
     /** The osg::Material has a lobe. */
@@ -121,18 +111,13 @@ class OSGENVLIGHT_EXPORT SurfaceState
     SurfaceFacts* facts() const { return _facts; }
 
   private:
-    // Units beyond 0 that fixed-function state reaches.
-    static constexpr unsigned laterUnits = 7;
-    struct Unit {
-        Mode texturing;
-        Attribute texture;
-    };
     void mergeMode(osg::StateAttribute::GLMode mode, osg::StateAttribute::GLModeValue value);
     void mergeAttribute(osg::StateAttribute::Type type, const osg::StateSet::RefAttributePair& pair);
     void mergeTextures(const osg::StateSet& stateSet);
     void mergeMaps(const osg::StateSet& stateSet);
     bool translucent(const osg::Geometry* geometry) const;
-    bool usesLaterUnits() const;
+    TextureFacts factsOf(const osg::Texture& texture) const;
+    bool tracksColors() const;
     enum Blending { BLENDS_BY_ALPHA, BLENDS_PREMULTIPLIED, BLENDS_OTHERWISE };
     Blending blendingKind() const;
     const char* unsupportedRaster(const osg::Geometry* geometry) const;
@@ -156,14 +141,7 @@ class OSGENVLIGHT_EXPORT SurfaceState
     Attribute _blendEquation;
     Attribute _colorMask;
     Attribute _lightModel;
-    // Unit 0
-    Mode _texturing;
-    Mode _otherTarget;  // than GL_TEXTURE_2D
-    std::array<Mode, 4> _texGen;
-    Attribute _texture;
-    Attribute _texEnv;
-    Attribute _texGenMode;
-    std::array<Unit, laterUnits> _units;
+    std::array<TextureUnit, 8> _units;  // that fixed-function state reaches
     const osg::Depth* _nodeDepth = nullptr;
     bool _ownProgram = false;
     int _brdf = -1;
