@@ -34,11 +34,11 @@ float brightness(vec3 c)
 // roughness .2 under studio, beside full light transport: tRMSE 7.50 % without a limit, 7.51 with 6, 7.52 with 3. Squares are seen with 6.
 const float MOST_OVER_OTHERS = 3.0;
 
-// Mean of the rays of the 4x4 pixels about p. level: the largest of the map's and the scene's brightness in the lobe.
-vec4 cellMean(ivec2 p, float level)
+// Mean of the rays of the 4x4 pixels about p. roughness: of the lobe; level: the largest of the map's and the scene's brightness in it.
+vec4 cellMean(ivec2 p, float roughness, float level)
 {
     LobeReceiver receiver = lobeReceiver(p);
-    float narrowness = lobeNarrowness(receiver.roughness, SHARED_VISIBILITY_TURN);
+    float narrowness = lobeNarrowness(roughness, SHARED_VISIBILITY_TURN);
     ivec2 last = ivec2(viewportSize) - 1;
     vec4 sum = vec4(0.0);
     vec4 brightest = vec4(0.0);
@@ -90,7 +90,7 @@ void main()
     vec3 reflected = topReflected(p);
     vec3 mean = meanAbout(p, topNormal(p));
     float level = max(brightness(light.specular / max(reflected, vec3(1e-3))), brightness(mean));
-    vec4 met = roughness < NARROW_ROUGHNESS ? texelFetch(reflectionMap, p, 0) : cellMean(p, level);
+    vec4 met = roughness < NARROW_ROUGHNESS ? texelFetch(reflectionMap, p, 0) : cellMean(p, roughness, level);
     float strength = 1.0 - smoothstep(TRACED_ROUGHNESS - 0.1, TRACED_ROUGHNESS, roughness);
     vec3 sent = reflected * (met.rgb + max(light.blocked.w - met.w, 0.0) * mean);
     // Rays that meet more than the maps know to be in the way hide the map, too.
