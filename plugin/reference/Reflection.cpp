@@ -38,13 +38,14 @@ glm::dvec2 microfacetAlbedo(int brdf, double roughness, double cosV)
            f.y * ((1.0 - f.x) * at(i.x, i.y + 1) + f.x * at(i.x + 1, i.y + 1));
 }
 
-glsl::Bsdf bsdfOf(int brdf, const glm::dvec3& f0, double roughness, const glm::dvec3& energy)
+template <class Lobe>
+glsl::Bsdf bsdfOf(const Lobe& lobe)
 {
     glsl::Bsdf b;
-    b.brdf = brdf;
-    b.f0 = f0;
-    b.roughness = roughness;
-    b.energy = energy;
+    b.brdf = lobe.brdf;
+    b.f0 = lobe.f0;
+    b.roughness = lobe.roughness;
+    b.energy = lobe.energy;
     return b;
 }
 
@@ -145,7 +146,7 @@ void Reflection::addMirror(const Lobe& lobe)
     _mirror = true;
     const double c = _view.z;
     const double n = glsl::phongExponent(lobe.roughness);
-    const glsl::Bsdf b = bsdfOf(lobe.brdf, lobe.f0, lobe.roughness, lobe.energy);
+    const glsl::Bsdf b = bsdfOf(lobe);
     _mirrorWeight += glsl::isMirrored(lobe.brdf) ? glsl::bsdfMirrored(b, c, c) * ((n + 2.0) / (n + 1.0) * c)
                                                  : lobe.energy * glsl::bsdfFresnel(b, c);
 }
@@ -153,7 +154,7 @@ void Reflection::addMirror(const Lobe& lobe)
 glm::dvec3 Reflection::value(const Lobe& lobe, const glm::dvec3& toLight) const
 {
     if (!lobe.wide) return glm::dvec3(0.0);
-    return glsl::bsdfLobe(bsdfOf(lobe.brdf, lobe.f0, lobe.roughness, lobe.energy), _view, toLight);
+    return glsl::bsdfLobe(bsdfOf(lobe), _view, toLight);
 }
 
 glm::dvec3 Reflection::glossy(const glm::dvec3& l) const

@@ -32,9 +32,10 @@ class Reflection
     const glm::dvec3& mirrorDirection() const { return _reflected; }
     const glm::dvec3& mirrorWeight() const { return _mirrorWeight; }
 
-    /** By the cosine about the normal; evenly over the hemisphere; by the lobe, of two by each half the time: cos^n, or normals of GGX's distribution [Walter
-     * 2007, eq. 35] for all microfacets, whose tails are the longest. The lobe's may point below the surface, and is null where
-     * the normal is one the viewer can't see.*/
+    /** Random directions. sampleCosine: by the cosine about the normal. sampleHemisphere: evenly. sampleLobe: by the lobe; if
+     * there are two, by each half the time. Lobes about the mirror direction are sampled by cos^n, microfacets by normals of
+     * GGX's distribution [Walter 2007, eq. 35], whose tails are the longest. A lobe's direction may point below the surface; it
+     * is null where the viewer can't see the normal.*/
     glm::dvec3 sampleCosine(const glm::dvec2& u) const;
     glm::dvec3 sampleHemisphere(const glm::dvec2& u) const;
     glm::dvec3 sampleLobe(const glm::dvec2& u) const;

@@ -6,8 +6,6 @@
 
 #include "lib/bsdf.glsl"
 
-const float COAT_F0 = 0.04;
-
 struct Coat {
     float strength;   // 0: none, 1: all of the surface
     float roughness;
@@ -33,7 +31,7 @@ Coat unpackCoat(uint bits)
 // The coat's own lobe; table: of GGX, as for makeBsdf().
 Bsdf coatBsdf(Coat c, vec2 table)
 {
-    Bsdf b = makeBsdf(BRDF_COOK_TORRANCE, vec3(COAT_F0), c.roughness, table);
+    Bsdf b = makeBsdf(BRDF_COOK_TORRANCE, vec3(DIELECTRIC_F0), c.roughness, table);
     b.energy *= c.strength;
     b.reflected *= c.strength;
     return b;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The map's radiance in a lobe, the integral of L f_H cos [seed 000, eq. 3, first term] over the lobe's albedo, and what it reflects of
-// the suns. Filtered importance sampling [Colbert, Krivanek 2008] draws directions from the BRDF and looks up the pyramid at the level
-// whose texels are as wide as the sample's share of the lobe. Radiance in units of the map's mean.
+// What a lobe reflects of the map, the integral of L f_H cos [seed 000, eq. 3, first term], and of the suns. Filtered importance
+// sampling [Colbert, Krivanek 2008] draws directions from the BRDF. It looks each up in the level of the pyramid whose texels are as
+// wide as the sample's share of the lobe. Radiance in units of the map's mean.
 #ifndef LOBESAMPLES_GLSL
 #define LOBESAMPLES_GLSL
 #pragma import_defines(HAS_SUNS)

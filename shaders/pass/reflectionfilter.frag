@@ -29,9 +29,10 @@ float brightness(vec3 c)
     return c.r + c.g + c.b;
 }
 
-// One ray of a cell that meets a lamp's highlight shows as a bright square. So the brightest ray is limited to this many times the largest
-// of three: the mean of the other rays that meet something, the map's radiance in the lobe, the scene's mean radiance. Metal balls at
-// roughness .2 under studio, beside full light transport: tRMSE 7.50 % without a limit, 7.51 with 6, 7.52 with 3. Squares are seen with 6.
+// If one ray of a cell meets a lamp's highlight, the cell is a bright square. The brightest ray may therefore be at most this many times as
+// bright as the brightest of three: the mean of the other rays that meet something, the map in the lobe, the scene's mean radiance. Metal
+// balls at roughness .2 under studio, beside full light transport: tRMSE 7.50 % without a limit, 7.51 with 6, 7.52 with 3. With 6, one
+// still sees squares.
 const float MOST_OVER_OTHERS = 3.0;
 
 // Mean of the rays of the 4x4 pixels about p. roughness: of the lobe; level: the largest of the map's and the scene's brightness in it.
@@ -85,10 +86,11 @@ vec3 meanAbout(ivec2 p, vec3 n)
 void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
-    float roughness = topRoughness(p);
+    TopLobe lobe = topLobe(p);
+    float roughness = lobe.bsdf.roughness;
     LobeLight light = topLight(p);
-    vec3 reflected = topReflected(p);
-    vec3 mean = meanAbout(p, topNormal(p));
+    vec3 reflected = lobe.bsdf.reflected;
+    vec3 mean = meanAbout(p, lobe.normal);
     float level = max(brightness(light.specular / max(reflected, vec3(1e-3))), brightness(mean));
     vec4 met = roughness < NARROW_ROUGHNESS ? texelFetch(reflectionMap, p, 0) : cellMean(p, roughness, level);
     float strength = 1.0 - smoothstep(TRACED_ROUGHNESS - 0.1, TRACED_ROUGHNESS, roughness);

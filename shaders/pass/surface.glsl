@@ -260,7 +260,7 @@ Surface readSurface()
     s.brdf = BRDF_COOK_TORRANCE;
     s.roughness = PAINTED_ROUGHNESS;
 #ifdef TEXTURE_ADD
-    s.f0 = vec3(0.04);  // a highlight on what is there
+    s.f0 = vec3(DIELECTRIC_F0);  // a highlight on what is there
 #else
     s.albedo = vec3(0.0);
     s.f0 = PAINTED_REFLECTANCE * base.rgb;

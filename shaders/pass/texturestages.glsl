@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Fixed function's texture units after the first, and normal maps in any of them [OpenGL 2.1, 3.8.13]. Sums and mixtures are of display
-// values, as the host's own pictures are.
+// The texture units of fixed function after the first, and normal maps in any unit [OpenGL 2.1, 3.8.13]. Like the host's own pictures,
+// they add and mix display values.
 #ifndef TEXTURESTAGES_GLSL
 #define TEXTURESTAGES_GLSL
 #pragma import_defines(TEXTURE_STAGES)

@@ -5,36 +5,21 @@
 
 #include "pass/pixelbsdf.glsl"
 
-vec3 topNormal(ivec2 p)
-{
-#ifdef HAS_COATS
-    if (isCoated(p)) return pixelCoatNormal(p);
-#endif
-    return pixelNormal(p);
-}
+struct TopLobe {
+    vec3 normal;
+    Bsdf bsdf;
+};
 
-int topBrdf(ivec2 p)
+TopLobe topLobe(ivec2 p)
 {
 #ifdef HAS_COATS
-    if (isCoated(p)) return BRDF_COOK_TORRANCE;
+    if (isCoated(p)) {
+        PixelCoat coat = pixelCoat(p);
+        return TopLobe(coat.normal, coat.bsdf);
+    }
 #endif
-    return pixelBrdf(p);
-}
-
-float topRoughness(ivec2 p)
-{
-#ifdef HAS_COATS
-    if (isCoated(p)) return pixelCoat(p).bsdf.roughness;
-#endif
-    return texelFetch(normalMap, p, 0).a;
-}
-
-vec3 topReflected(ivec2 p)
-{
-#ifdef HAS_COATS
-    if (isCoated(p)) return pixelCoat(p).bsdf.reflected;
-#endif
-    return pixelReflected(p);
+    vec3 n = pixelNormal(p);
+    return TopLobe(n, pixelBsdf(p, max(-dot(n, viewRay(inverseProjection, pixelNdc(p))), 1e-4)));
 }
 
 #endif

@@ -16,20 +16,9 @@ const vec3 f0(0.9, 0.5, 0.04);
 
 const int microfacets[] = {BRDF_COOK_TORRANCE, BRDF_BECKMANN, BRDF_BLINN_PHONG};
 
-// Scale and offset of F0 in the directional albedo of the lobe, of one bounce.
 vec2 tableOf(int brdf, const vec3& v, double roughness)
 {
-    const Bsdf b = glsl::makeBsdf(brdf, vec3(0), roughness, vec2(1, 0));
-    const auto part = [&](bool offset) {
-        return integratePeak(
-            [&](const vec3& l) {
-                const vec3 h = glm::normalize(v + l);
-                const double grazing = glsl::fresnelShare(glm::dot(h, v));
-                return glsl::bsdfMicrofacets(b, v, l, h) * l.z * (offset ? grazing : 1.0 - grazing);
-            },
-            roughness * roughness);
-    };
-    return vec2(part(false), part(true));
+    return microfacetAlbedo(brdf, v, roughness, [&](const Integrand& f) { return integratePeak(f, roughness * roughness); });
 }
 
 }  // namespace

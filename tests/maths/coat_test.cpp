@@ -20,20 +20,9 @@ Coat coatOf(double strength, double roughness)
     return c;
 }
 
-// Scale and offset of F0 in the albedo of GGX at that cosine, of one bounce, by quadrature.
-vec2 tableOf(double roughness, const vec3& v)
+double overHemisphere(const Integrand& f)
 {
-    const Bsdf b = glsl::makeBsdf(BRDF_COOK_TORRANCE, vec3(0), roughness, vec2(1, 0));
-    const auto part = [&](bool offset) {
-        return integrateBand(
-            [&](const vec3& l) {
-                const vec3 h = glm::normalize(v + l);
-                const double grazing = glsl::fresnelShare(glm::dot(h, v));
-                return glsl::bsdfMicrofacets(b, v, l, h) * l.z * (offset ? grazing : 1.0 - grazing);
-            },
-            0.0, 1.0, 400, 800);
-    };
-    return vec2(part(false), part(true));
+    return integrateBand(f, 0.0, 1.0, 400, 800);
 }
 
 }  // namespace
@@ -62,9 +51,9 @@ TEST(coat, ReflectsWhatItSays)
         for (double degrees : {0.0, 60.0, 80.0}) {
             const double t = degrees * pi / 180.0;
             const vec3 v(std::sin(t), 0.0, std::cos(t));
-            const Bsdf b = glsl::coatBsdf(coatOf(0.7, roughness), tableOf(roughness, v));
-            const double reflected =
-                integrateBand([&](const vec3& l) { return glsl::bsdfLobe(b, v, l).x * l.z; }, 0.0, 1.0, 400, 800);
+            const vec2 table = microfacetAlbedo(BRDF_COOK_TORRANCE, v, roughness, overHemisphere);
+            const Bsdf b = glsl::coatBsdf(coatOf(0.7, roughness), table);
+            const double reflected = overHemisphere([&](const vec3& l) { return glsl::bsdfLobe(b, v, l).x * l.z; });
             EXPECT_NEAR(b.reflected.x, reflected, 1e-5) << roughness << " " << degrees;
         }
 }

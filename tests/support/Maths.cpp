@@ -80,6 +80,20 @@ double integratePeak(const std::function<double(const glsl::vec3&)>& f, double a
     return sum;
 }
 
+glsl::vec2 microfacetAlbedo(int brdf, const glsl::vec3& v, double roughness,
+                            const std::function<double(const Integrand&)>& integrate)
+{
+    const glsl::Bsdf b = glsl::makeBsdf(brdf, glsl::vec3(0), roughness, glsl::vec2(1, 0));
+    const auto part = [&](bool offset) {
+        return integrate([&](const glsl::vec3& l) {
+            const glsl::vec3 h = glm::normalize(v + l);
+            const double grazing = glsl::fresnelShare(glm::dot(h, v));
+            return glsl::bsdfMicrofacets(b, v, l, h) * l.z * (offset ? grazing : 1.0 - grazing);
+        });
+    };
+    return glsl::vec2(part(false), part(true));
+}
+
 double chiSquaredTail(double x, int degrees)
 {
     // Regularised upper incomplete gamma function of (degrees/2, x/2): series below the mean, continued fraction above.

@@ -66,6 +66,12 @@ glsl::vec3 fromSlope(double slope, double phi);
  * t = s/(1+s), s = tan/alpha, spreads peak and tail evenly.*/
 double integratePeak(const std::function<double(const glsl::vec3&)>& f, double alpha, int nt = 400, int nphi = 64);
 
+/** Scale and offset of F0 in the directional albedo that microfacets have for one bounce, seen from v: the albedo table's values.
+ * @param integrate  a function of the light's direction over the upper hemisphere */
+using Integrand = std::function<double(const glsl::vec3&)>;
+glsl::vec2 microfacetAlbedo(int brdf, const glsl::vec3& v, double roughness,
+                            const std::function<double(const Integrand&)>& integrate);
+
 /** Probability that chi-squared with this many degrees of freedom exceeds x. */
 double chiSquaredTail(double x, int degrees);
 

@@ -137,6 +137,7 @@ void SurfaceState::mergeTextures(const osg::StateSet& s)
     const auto& attributes = s.getTextureAttributeList();
     for (size_t unit = 0; unit < std::min(attributes.size(), _units.size()); ++unit)
         for (const auto& [key, pair] : attributes[unit]) _units[unit].mergeAttribute(key.first, pair);
+    for (size_t unit = 0; unit < _units.size(); ++unit) _stages[unit] = _units[unit].stage(unit == 0);
 }
 
 void SurfaceState::enterNode()
@@ -150,7 +151,7 @@ void SurfaceState::enterNode()
 const osg::Texture* SurfaceState::texture() const
 {
     const TextureUnit& unit = _units[0];
-    if (!unit.texturing.on || paintedReflection() || unit.stage(true).kind == limits::STAGE_NORMALS) return nullptr;
+    if (!unit.texturing.on || paintedReflection() || _stages[0].kind == limits::STAGE_NORMALS) return nullptr;
     const auto* t = unit.texture.as<osg::Texture>();
     return t && SurfaceFacts::hasTexels(*t) ? t : nullptr;
 }
@@ -172,7 +173,7 @@ bool SurfaceState::paintedHighlight() const
 SurfaceState::TextureMode SurfaceState::textureMode() const
 {
     if (!texture()) return TEXTURE_MODULATES;
-    switch (_units[0].stage(true).kind) {
+    switch (_stages[0].kind) {
         case limits::STAGE_REPLACE:
             return TEXTURE_REPLACES;
         case limits::STAGE_DECAL:
@@ -190,8 +191,8 @@ SurfaceState::Stages SurfaceState::stages() const
 {
     Stages stages;
     if (_brdf >= 0) return stages;
-    if (_units[0].stage(true).kind == limits::STAGE_NORMALS) stages[0].kind = limits::STAGE_NORMALS;
-    for (size_t unit = 1; unit < stages.size(); ++unit) stages[unit] = _units[unit].stage(false);
+    if (_stages[0].kind == limits::STAGE_NORMALS) stages[0].kind = limits::STAGE_NORMALS;
+    std::copy(_stages.begin() + 1, _stages.begin() + stages.size(), stages.begin() + 1);
     return stages;
 }
 
@@ -335,7 +336,7 @@ const char* SurfaceState::unsupportedTexture() const
 {
     for (size_t unit = 1; unit < _units.size(); ++unit) {
         const TextureUnit& u = _units[unit];
-        const int kind = u.stage(false).kind;
+        const int kind = _stages[unit].kind;
         if (kind == limits::STAGE_NONE) continue;
         if (unit >= size_t(limits::STAGED_UNITS)) return "texture units beyond the fourth";
         if (kind == limits::STAGE_OTHER) return "texture units beyond the first that are not Texture2D or combine";
@@ -345,7 +346,7 @@ const char* SurfaceState::unsupportedTexture() const
     }
     if (paintedReflection()) return nullptr;
     const TextureUnit& first = _units[0];
-    const TextureStage stage = first.stage(true);
+    const TextureStage stage = _stages[0];
     if (stage.kind == limits::STAGE_NONE) return nullptr;
     if (first.texture.as<osg::Texture>()->getTextureTarget() != GL_TEXTURE_2D) return "textures other than Texture2D";
     if (stage.kind == limits::STAGE_OTHER || stage.kind == limits::STAGE_ADD_SIGNED || stage.scale != 1.0f)

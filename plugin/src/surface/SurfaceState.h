@@ -53,12 +53,13 @@ class OSGENVLIGHT_EXPORT SurfaceState
     /** Their fourth is generated, too. */
     bool projected() const { return _units[0].texGen[3].on; }
     TextureFacts textureFacts() const;
-    /** How the units of unit 0's texture() and after it join: of unit 0 only whether it is a normal map. */
+    /** How the texture units join the colour below them. Of unit 0 only whether it is a normal map: textureMode() says the rest.
+     */
     using Stages = std::array<TextureStage, limits::STAGED_UNITS>;
     Stages stages() const;
     /** A unit is a normal map of fixed function. */
     bool bumped() const;
-    /** The colours of its vertices are directions to a light, and it has no other. */
+    /** It is white: its vertices' colours are directions to a light, and no material has another colour. */
     bool white() const;
     /** A sphere or cube map stands for a reflection: the surface is taken for polished metal of its colour. */
     bool paintedReflection() const;
@@ -141,7 +142,8 @@ class OSGENVLIGHT_EXPORT SurfaceState
     Attribute _blendEquation;
     Attribute _colorMask;
     Attribute _lightModel;
-    std::array<TextureUnit, 8> _units;  // that fixed-function state reaches
+    std::array<TextureUnit, 8> _units;    // that fixed-function state reaches
+    std::array<TextureStage, 8> _stages;  // of these
     const osg::Depth* _nodeDepth = nullptr;
     bool _ownProgram = false;
     int _brdf = -1;
