@@ -54,7 +54,8 @@ const std::vector<Sweep>& defaultSweeps()
         {"specularSamples", {"4", "8", "16", "32", "64", "128"}, {}, Sweep::SPECULAR, true},
         {"reflections", {"off", "map", "screen"}, {}, Sweep::FULL_TRANSPORT, true},
         {"reflectionSteps", {"4", "8", "16", "32", "64"}, {}, Sweep::SPECULAR, false},
-        {"bounce", {"off", "mean"}, {}, Sweep::FULL_TRANSPORT, true},
+        {"bounce", {"off", "mean", "probes"}, {}, Sweep::FULL_TRANSPORT, true},
+        {"bounceProbes", {"4", "6", "8", "12", "16"}, {}, Sweep::FULL_TRANSPORT, false},
     };
     return sweeps;
 }

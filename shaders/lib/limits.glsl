@@ -12,6 +12,12 @@ const int MOST_SCENE_LIGHTS = 8;  // of OpenGL's fixed function
 const int BOUNCE_BLOCKS = 32;     // along each side of the picture
 const int ERROR_BLOCKS = 32;      // along each side of the picture
 const int PROBE_SIDE = 16;        // points that are read back along each side of the picture
+const int MOST_PROBES = 32;       // along each axis of their grid
+const int POINT_SIDE = 64;        // surface points along each side of the textures that have a texel for each
+const int PROBE_FACE_SIDE = 8;         // directions along each side of a cube's face in which a probe looks
+const int PROBE_DEPTH_SIDE = 12;       // of the octahedral map of what a probe knows of distances [texels]
+const int PROBE_HARMONICS = 9;         // in which a probe adds up what it sees
+const int PROBE_IRRADIANCE_SIDE = 6;   // of that of the light that it gets
 
 // A pass that draws pixels of a mark draws those of lower ones, too.
 const float MARK_STEP = 0.125;

@@ -61,6 +61,15 @@ vec2 pyramidLevelCorner(float baseSide, float level)
     return pyramidCorner(baseSide, pyramidLevelSide(baseSide, level), level);
 }
 
+// The texel of a map of that side that its border shows at p, a texel outside at most: over an edge the square goes on mirrored.
+ivec2 foldedTexel(ivec2 p, int side)
+{
+    ivec2 q = p;
+    if (q.x < 0 || q.x >= side) q = ivec2(q.x < 0 ? 0 : side - 1, side - 1 - q.y);
+    if (q.y < 0 || q.y >= side) q = ivec2(side - 1 - q.x, q.y < 0 ? 0 : side - 1);
+    return q;
+}
+
 // One level of the pyramid at square coordinates st, bilinear.
 vec3 pyramidTexel(sampler2D atlas, vec2 corner, float side, vec2 st)
 {

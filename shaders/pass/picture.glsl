@@ -2,13 +2,13 @@
 // L = L_e + S + D - O [seed 000, eq. 3] and the bounce, from what the passes left, and the map behind the scene.
 #ifndef PICTURE_GLSL
 #define PICTURE_GLSL
-#pragma import_defines(BACKGROUND_BLUR, HAS_SPECULAR, HAS_BOUNCE, HAS_LOBES, HAS_REFLECTED, BACKGROUND)
+#pragma import_defines(BACKGROUND_BLUR, HAS_SPECULAR,  HAS_LOBES, HAS_REFLECTED, BACKGROUND)
 
 #include "lib/constants.glsl"
 #include "lib/latlong.glsl"
 #include "lib/octahedral.glsl"
+#include "pass/blockers.glsl"
 #include "pass/gbuffer.glsl"
-#include "pass/meanradiance.glsl"
 #include "pass/terms.glsl"
 
 uniform sampler2D specularTermMap;
@@ -49,17 +49,17 @@ vec3 bounce(ivec2 p)
 {
     vec3 sent = vec3(0.0);
     vec3 n = pixelNormal(p);
-#ifdef HAS_BOUNCE
+#ifdef HAS_BLOCKERS
     vec3 rho = pixelAlbedo(p) * texelFetch(diffuseTermMap, p, 0).a;
-    sent += rho * (1.0 - ambientVisibility(p)) * meanRadiance(n);
+    sent += rho * fromBlockers(p, n, 1.0 - ambientVisibility(p), radianceScale);
 #endif
 #if defined(HAS_REFLECTED)
     sent += texelFetch(reflectedMap, p, 0).rgb;
-#elif defined(HAS_LOBES) && defined(HAS_BOUNCE)
+#elif defined(HAS_LOBES) && defined(HAS_BLOCKERS)
     vec3 ray = viewRay(inverseProjection, pixelNdc(p));
-    sent += texelFetch(blockedLobeMap, p, 0).rgb * meanRadiance(reflect(ray, n));
+    sent += texelFetch(blockedLobeMap, p, 0).rgb * blockersAlong(p, reflect(ray, n), radianceScale);
 #ifdef HAS_COATS
-    if (isCoated(p)) sent += texelFetch(blockedCoatMap, p, 0).rgb * meanRadiance(reflect(ray, pixelCoatNormal(p)));
+    if (isCoated(p)) sent += texelFetch(blockedCoatMap, p, 0).rgb * blockersAlong(p, reflect(ray, pixelCoatNormal(p)), radianceScale);
 #endif
 #endif
     return sent;

@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: MIT
 // What glossy surfaces show of the picture, last part. The 4x4 pixels about each have rays in different directions of the lobe; their
 // mean replaces the mean radiance of all that blocks light. The difference is added to the picture.
-#pragma import_defines(HAS_BOUNCE, KEEPS_REFLECTED)
+#pragma import_defines(KEEPS_REFLECTED)
 
+#include "pass/blockers.glsl"
 #include "pass/lobeneighbours.glsl"
 #include "pass/toplobe.glsl"
-#ifdef HAS_BOUNCE
-#include "pass/meanradiance.glsl"
-#endif
 
 uniform sampler2D reflectionMap;
 uniform sampler2D specularTermMap;
@@ -76,8 +74,8 @@ LobeLight topLight(ivec2 p)
 
 vec3 meanAbout(ivec2 p, vec3 n)
 {
-#ifdef HAS_BOUNCE
-    return meanRadiance(reflect(viewRay(inverseProjection, pixelNdc(p)), n));
+#ifdef HAS_BLOCKERS
+    return blockersAlong(p, reflect(viewRay(inverseProjection, pixelNdc(p)), n), radianceScale);
 #else
     return vec3(0.0);
 #endif

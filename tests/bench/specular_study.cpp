@@ -156,7 +156,7 @@ Row measure(const std::string& map, float roughness, const Options& options)
         return osgEnvLight::compare(picture, all, full.standardError(Layer::BEAUTY), mask).tRmse;
     };
     row.black = fullError(Settings::BOUNCE_OFF, Settings::REFLECTIONS_MAP);
-    row.shown = fullError(Settings::BOUNCE_MEAN, Settings::REFLECTIONS_SCREEN);
+    row.shown = fullError(Settings::BOUNCE_PROBES, Settings::REFLECTIONS_SCREEN);
     return row;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light from surface to surface. How near it comes to full light transport is the image suite's to say.
+// Light from surface to surface by the mean of what blocks the map (bounce=mean). How near it comes to full light transport is the image suite's to say.
 #include <SceneRenderer.h>
 
 #include <osgEnvLight/Material>
@@ -18,6 +18,7 @@ osg::ref_ptr<LitScene> corner()
     osg::ref_ptr<LitScene> lit = makeLit(constantMap(1.0).get());
     lit->getSettings()->regeneration = Settings::IMMEDIATE;
     lit->getSettings()->background = Settings::BACKGROUND_OFF;
+    lit->getSettings()->bounce = Settings::BOUNCE_MEAN;
     lit->addChild(makeQuad(osg::Vec3d(-2, -4, 0), osg::Vec3d(4, 0, 0), osg::Vec3d(0, 4, 0)));
     lit->addChild(makeBox(osg::Vec3d(-2, 0, -0.1), osg::Vec3d(2, 0.2, 4)));
     for (unsigned i = 0; i < 2; ++i)

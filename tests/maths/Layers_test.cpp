@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 const fs::path plugin = fs::path(ENVLIGHT_SOURCE_DIR) / "plugin";
 const fs::path publicHeaders = plugin / "include" / "osgEnvLight";
 // From the lowest on.
-const std::vector<std::string> layers = {"base", "gl", "environment", "lights", "surface", "shadow", "frame", "passes", "node"};
+const std::vector<std::string> layers = {"base", "gl", "environment", "lights", "surface", "indirect", "shadow", "frame", "passes", "node"};
 
 // In private sources a public header counts as of the folder that has its source; those without one, as of the lowest.
 size_t layerOfPublic(const std::string& header)

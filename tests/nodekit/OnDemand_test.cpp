@@ -28,6 +28,7 @@ osg::ref_ptr<LitScene> makeScene(osg::Image* map)
     lit->getSettings()->atlasSize = 32;
     lit->getSettings()->sunShadowSize = 64;
     lit->getSettings()->accumulateSize = 32;
+    lit->getSettings()->bounce = Settings::BOUNCE_MEAN;  // frames are counted: of probes a thread says how many
     lit->addChild(makeQuad(osg::Vec3d(-2, -2, 0), osg::Vec3d(4, 0, 0), osg::Vec3d(0, 4, 0)));
     osg::ref_ptr<osg::MatrixTransform> box = new osg::MatrixTransform;
     box->addChild(makeBox(osg::Vec3d(-0.5, -0.5, 0), osg::Vec3d(0.5, 0.5, 1)));

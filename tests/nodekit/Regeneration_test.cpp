@@ -184,7 +184,14 @@ TEST(Regeneration, UpdatesAreAskedForOnlyWhileASequencePlays)
 {
     SceneRenderer renderer(16, 16);
     osg::ref_ptr<LitScene> lit = whiteSphere(constantMap(1.0).get());
+    const auto renderUntilQuiet = [&] {
+        for (int frame = 0; frame < 2000 && lit->getNumChildrenRequiringUpdateTraversal() > 0; ++frame) {
+            renderer.render(lit, 1);  // until it has been made into light
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+    };
     renderer.render(lit, 2);
+    renderUntilQuiet();
     EXPECT_EQ(lit->getNumChildrenRequiringUpdateTraversal(), 0u);  // a viewer on demand would draw for ever
     osg::ref_ptr<osg::ImageSequence> sequence = new osg::ImageSequence;
     sequence->addImage(constantMap(1.0).get());
@@ -194,9 +201,6 @@ TEST(Regeneration, UpdatesAreAskedForOnlyWhileASequencePlays)
     renderer.render(lit, 2);
     EXPECT_EQ(lit->getNumChildrenRequiringUpdateTraversal(), 1u);
     lit->getEnvironmentMap()->setImage(constantMap(1.0).get());
-    for (int frame = 0; frame < 2000 && lit->getNumChildrenRequiringUpdateTraversal() > 0; ++frame) {
-        renderer.render(lit, 1);  // until it has been made into light
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
+    renderUntilQuiet();
     EXPECT_EQ(lit->getNumChildrenRequiringUpdateTraversal(), 0u);
 }

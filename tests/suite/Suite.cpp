@@ -253,7 +253,7 @@ class Measurement
             return osgEnvLight::compare(picture, _truth.full.mean, _truth.full.error, r.inside);
         };
         r.withoutBounce = compare(r.picture).tRmse;
-        _settings.bounce = Settings::BOUNCE_MEAN;
+        _settings.bounce = Settings::BOUNCE_PROBES;
         _settings.reflections = Settings::REFLECTIONS_SCREEN;
         const ErrorFigures e = compare(_renderer.render(&_lit));
         _settings.bounce = Settings::BOUNCE_OFF;

@@ -9,7 +9,7 @@ const std::vector<Settings::Preset>& Settings::presets()
     static const std::vector<Preset> all = {
         {"low",
          "a slow machine: a third to half of the time is saved, the error a third greater",
-         {{"atlasLights", "64"}, {"nearRadius", "0"}, {"filterCells", "1"}, {"specularSamples", "8"}, {"sunShadowSize", "512"}}},
+         {{"atlasLights", "64"}, {"nearRadius", "0"}, {"filterCells", "1"}, {"specularSamples", "8"}, {"sunShadowSize", "512"}, {"bounce", "mean"}}},
         {"default", "the knee of error against time", {}},
         {"high",
          "stills and fast machines: sharper shadows, cleaner reflections",

@@ -4,6 +4,7 @@
 #include "frame/Accumulation.h"
 #include "frame/AtlasLights.h"
 #include "frame/FrameResources.h"
+#include "frame/IndirectLight.h"
 #include "frame/SceneFacts.h"
 #include "gl/ShaderLibrary.h"
 #include "lights/MapTextures.h"
@@ -60,6 +61,8 @@ struct FrameContext {
     ShadowAtlas* nearSkyMaps = nullptr;    // of the same lights, about the view; null: skyMaps are fine enough
     DepthProbe* probe = nullptr;           // is to measure in this frame what the view shows
     unsigned waitingMaps = 0;              // of the sky, to be drawn in later frames
+    IndirectLight* indirect = nullptr;     // by probes; null: there are none
+    unsigned waitingBounces = 0;           // further frames would change what surfaces send each other
     SunShadows* sunMaps = nullptr;         // null: suns have none
     unsigned drawnSunMaps = 0;             // in this frame
     const Accumulation* still = nullptr;   // null where none was asked for
@@ -72,7 +75,8 @@ struct FrameContext {
 
     /** This frame adds to a still view's average. */
     bool isAccumulating() const { return still && still->adds(); }
-    /** A still view's terms are drawn, and stay: this frame adds to the average, whose lights have maps of their own, or shows it. */
+    /** A still view's terms are drawn, and stay: this frame adds to the average, whose lights have maps of their own, or shows
+     * it. */
     bool hasFirstFrame() const { return still && still->frames() > 0; }
     /** Nothing has changed since a view that has all its frames was drawn. */
     bool isConverged() const { return hasFirstFrame() && !still->adds(); }

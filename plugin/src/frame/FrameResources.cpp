@@ -114,6 +114,34 @@ osg::StateSet& FrameResources::atlasState(const std::string& name, const ShadowA
     return *state;
 }
 
+osg::StateSet& FrameResources::pointState(const osg::Vec3d& inAtlas, const osg::Vec3d& inSunMaps, int rows, int turn, double lift)
+{
+    if (!_pointState) {
+        _pointState = new osg::StateSet;
+        _pointState->addUniform(new osg::Uniform("pointsInAtlas", osg::Vec3()));
+        _pointState->addUniform(new osg::Uniform("pointsInSunMaps", osg::Vec3()));
+        _pointState->addUniform(new osg::Uniform("pointRows", rows));
+        _pointState->addUniform(new osg::Uniform("pointTurn", turn));
+        _pointState->addUniform(new osg::Uniform("pointLift", 0.0f));
+    }
+    _pointState->getUniform("pointsInAtlas")->set(osg::Vec3(inAtlas));
+    _pointState->getUniform("pointsInSunMaps")->set(osg::Vec3(inSunMaps));
+    _pointState->getUniform("pointRows")->set(rows);
+    _pointState->getUniform("pointTurn")->set(turn);
+    _pointState->getUniform("pointLift")->set(float(lift));
+    return *_pointState;
+}
+
+osg::StateSet& FrameResources::probeState(double share)
+{
+    if (!_probeState) {
+        _probeState = new osg::StateSet;
+        _probeState->addUniform(new osg::Uniform("probeShare", 0.0f));
+    }
+    _probeState->getUniform("probeShare")->set(float(share));
+    return *_probeState;
+}
+
 osg::StateSet& FrameResources::sceneLightState()
 {
     if (!_sceneLightState) {

@@ -64,6 +64,11 @@ class OSGENVLIGHT_EXPORT FrameResources : public osg::Referenced
      * @param name  of the atlas
      * @param near  the atlas of the same lights about the view, or null */
     osg::StateSet& atlasState(const std::string& name, const ShadowAtlas& atlas, const ShadowAtlas* near);
+    /** Uniforms of pass/points.frag: where the points' origin lies about those of the shadow maps, which rows are due, how far
+     * off its surface a point asks the suns' maps. */
+    osg::StateSet& pointState(const osg::Vec3d& inAtlas, const osg::Vec3d& inSunMaps, int rows, int turn, double lift);
+    /** Uniforms of pass/indirect.frag. */
+    osg::StateSet& probeState(double share);
     /** Uniforms of the application's lights. */
     osg::StateSet& sceneLightState();
     /** Uniforms of the suns' maps as they stand in this frame. */
@@ -89,6 +94,8 @@ class OSGENVLIGHT_EXPORT FrameResources : public osg::Referenced
     std::map<std::string, osg::ref_ptr<AtlasRefresh>> _refreshes;
     std::map<SettingsGroup, SettingsUniforms> _settings;
     std::map<std::string, osg::ref_ptr<osg::StateSet>> _atlasStates;
+    osg::ref_ptr<osg::StateSet> _pointState;
+    osg::ref_ptr<osg::StateSet> _probeState;
     osg::ref_ptr<osg::StateSet> _sceneLightState;
     osg::ref_ptr<osg::StateSet> _sunState;
     osg::ref_ptr<const SunShadows> _sunShadows;  // that it is of, at which version

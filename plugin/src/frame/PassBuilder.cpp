@@ -30,6 +30,12 @@ TextureId PassBuilder::find(const std::string& name) const
     return id;
 }
 
+TextureId PassBuilder::import(const std::string& name, osg::Texture2D* texture)
+{
+    _graph.import(name, texture);
+    return find(name);
+}
+
 void PassBuilder::read(TextureId texture, const std::string& sampler)
 {
     if (!texture.valid())

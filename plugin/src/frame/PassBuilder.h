@@ -94,6 +94,9 @@ class OSGENVLIGHT_EXPORT PassBuilder
     /** One that a pass before this one makes, or that comes from outside; invalid if there is none in this frame. */
     TextureId find(const std::string& name) const;
 
+    /** A texture of somebody's own, to be drawn into. */
+    TextureId import(const std::string& name, osg::Texture2D* texture);
+
     /** Read a texture by that sampler, from a unit that the graph assigns. Throws if it is invalid. */
     void read(TextureId texture, const std::string& sampler);
     /** The same by name; false, and nothing is read, if there is none. */

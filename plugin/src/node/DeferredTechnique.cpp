@@ -88,8 +88,12 @@ try {
 
     const bool shows = c.facts.surfaces.deferred + c.facts.surfaces.litForward > 0;
     const bool needsCarrier = settings->diffuse && !c.facts.mapIsBlack && shows;
-    if ((needsCarrier && Decisions::wantsAtlas(*settings)) || (sunny && shows))
-        c.casters = CasterCollector(cv, c.worldFromEye, vd.casterStates, _facts.get()).collect(node);
+    if ((needsCarrier && Decisions::wantsAtlas(*settings)) || (sunny && shows)) {
+        CasterCollector collector(cv, c.worldFromEye, vd.casterStates, _facts.get());
+        if (settings->bounce == Settings::BOUNCE_PROBES)
+            collector.findSentLight(settings->materialColors == Settings::COLORS_SRGB);
+        c.casters = collector.collect(node);
+    }
     c.facts.casters = c.casters.size();
     c.showsNothing = !shows && c.facts.sceneRadius > 0.0;
     if (!c.showsNothing) CasterCollector::forgetUnused(vd.casterStates, c.casters);
@@ -267,7 +271,7 @@ void DeferredTechnique::reloadShaders()
 bool DeferredTechnique::hasSettled(const FrameContext& c) const
 {
     const bool converges = c.still && c.still->frames() < unsigned(c.settings.accumulateFrames);
-    return !converges && c.waitingMaps == 0 && !_regenerator.busy() && c.textures.settled();
+    return !converges && c.waitingMaps == 0 && c.waitingBounces == 0 && !_regenerator.busy() && c.textures.settled();
 }
 
 void DeferredTechnique::countUpdate()

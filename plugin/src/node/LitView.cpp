@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "node/LitView.h"
 
+#include "passes/Indirect.h"
 #include "passes/Lighting.h"
 #include "passes/Occlusion.h"
 #include "passes/Output.h"
@@ -21,9 +22,12 @@ LitView::LitView(Failure* failure, RetiredObjects* retired, SurfaceSorter* sorte
     graph.add(new SceneLightsPass);
     graph.add(new DepthProbePass);
     graph.add(new SkyShadows(failure, retired));
+    graph.add(new LinksPass(retired));
     graph.add(new StillView(failure, retired));
     graph.add(new Suns);
     graph.add(new SunMaps(failure, retired));
+    graph.add(new PointsPass);
+    graph.add(new BouncesPass(failure));
     graph.add(new SunShadowPass);
     graph.add(new PenumbraPass);
     graph.add(new SunFilterPass);
@@ -37,6 +41,7 @@ LitView::LitView(Failure* failure, RetiredObjects* retired, SurfaceSorter* sorte
     graph.add(new LobesPass);
     graph.add(new BouncePass);
     graph.add(new BounceSumPass);
+    graph.add(new IndirectPass);
     graph.add(new BackgroundPass);
     graph.add(new ResolvePass);
     graph.add(new ReflectionsPass);

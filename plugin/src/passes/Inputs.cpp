@@ -95,13 +95,16 @@ void readTerms(PassBuilder& b, FrameContext& c)
 {
     readDiffuseTerms(b, c);
     if (b.read("specular", "specularTermMap")) b.define("HAS_SPECULAR");
-    const bool bounces = b.read("bounce", "bounceMap");
-    b.define("HAS_BOUNCE", bounces);
+    const bool probes = b.read("indirect", "indirectMap");
+    b.define("HAS_PROBES", probes);
+    const bool bounces = probes || b.read("bounce", "bounceMap");
+    b.define("HAS_BOUNCE", bounces && !probes);
     if (b.read("reflected", "reflectedMap"))
         b.define("HAS_REFLECTED");
     else if (bounces && c.settings.reflections == Settings::REFLECTIONS_SCREEN && b.read("blocked lobe", "blockedLobeMap")) {
         b.define("HAS_LOBES");
         b.read("blocked coat", "blockedCoatMap");
+        b.read("mirrored", "mirroredMap");
     }
 }
 

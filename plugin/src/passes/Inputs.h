@@ -25,6 +25,8 @@ namespace osgEnvLight
 //   sun points 0 .. 3                   what a pixel's own points see of the suns
 //   sun visibility 0 and 1, penumbrae   how much a pixel sees of them, and the marks of those that must look closer
 //   bounce                              sums of the radiance of what blocks light
+//   point light                         light of the map and its suns at surface points
+//   indirect, mirrored                  what other surfaces send to a pixel, and from about the mirror direction
 //   radiance                            the sum of the terms over what is behind the scene
 //   average, average of squares         of a still view's frames
 

@@ -175,7 +175,10 @@ void ReflectionFilterPass::setup(PassBuilder& b, FrameContext& c)
     b.read(b.find("blocked lobe"), "blockedLobeMap");
     b.read("coat", "coatTermMap");
     b.read("blocked coat", "blockedCoatMap");
-    b.define("HAS_BOUNCE", b.read("bounce", "bounceMap"));
+    if (b.read("mirrored", "mirroredMap"))
+        b.define("HAS_PROBES");
+    else
+        b.define("HAS_BOUNCE", b.read("bounce", "bounceMap"));
     b.drawMarked(b.find("pixel marks"), c.still ? limits::MARK_GLOSSY : limits::MARK_TRACED);
     b.addLaterTo(b.find("radiance"));
     if (!c.still) return;

@@ -92,7 +92,7 @@ void StillView::update(FrameContext& c)
 {
     if (!_accumulation) _accumulation = new Accumulation;
     Accumulation& a = *_accumulation;
-    a.advance(keyOf(c), !c.skyMaps->moved() && c.waitingMaps == 0, c.textures.map());
+    a.advance(keyOf(c), !c.skyMaps->moved() && c.waitingMaps == 0 && c.waitingBounces == 0, c.textures.map());
     c.still = &a;
     c.frame.setUniforms(&a);
     if (!c.nearSkyMaps) _near.drop();

@@ -133,7 +133,7 @@ void ShadowAtlas::setCasters(const std::vector<Caster>& casters)
     }
     if (!_box.valid() || _focus.valid()) return;
     _still.setPlace(_targets.origin, 0.5 * diagonal(_box) / size);
-    _still.update(_casters, _moved, 0.02 * texel);
+    _still.update(casters, _moved, 0.02 * texel);
 }
 
 // A light that has moved little keeps its map and has its new flux. Where one is elsewhere now, the former and its map stay until

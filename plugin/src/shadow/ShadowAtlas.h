@@ -50,6 +50,8 @@ class OSGENVLIGHT_EXPORT ShadowAtlas : public osg::Referenced
     /** What the maps of update() show: the casters, those that stand still and are solid merged into one; with a focus as they
      * are, for most lie beyond it. */
     std::vector<Caster> drawn() const { return _focus.valid() ? _casters : _still.drawn(); }
+    /** The casters that stand still; without a focus. */
+    const StaticCasters& still() const { return _still; }
     /** Triangles of drawn(). */
     size_t triangles() const { return trianglesOf(drawn()); }
 

@@ -5,6 +5,7 @@
 #include <osg/Camera>
 #include <osg/Projection>
 #include <osgUtil/CullVisitor>
+#include <osgUtil/StateGraph>
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +26,18 @@ bool hasSurfaces(const osg::Geometry& geometry)
     return false;
 }
 
+// What the state sets above the node and its own say of all below it.
+CasterState stateAt(osgUtil::CullVisitor& cv, SurfaceFacts* facts)
+{
+    std::vector<const osg::StateSet*> above;
+    for (const osgUtil::StateGraph* graph = cv.getCurrentStateGraph(); graph; graph = graph->_parent)
+        if (graph->getStateSet()) above.push_back(graph->getStateSet());
+    CasterState state(facts);
+    for (auto s = above.rbegin(); s != above.rend(); ++s) state.merge(**s);
+    state.enterNode();
+    return state;
+}
+
 }  // namespace
 
 CasterCollector::CasterCollector(osgUtil::CullVisitor& cv, const osg::Matrixd& worldFromEye, StateSets& stateSets,
@@ -33,7 +46,7 @@ CasterCollector::CasterCollector(osgUtil::CullVisitor& cv, const osg::Matrixd& w
       osg::CullStack(cv),  // not made anew, which reads the environment's variables and, at INFO, prints that in every frame
       _worldFromEye(worldFromEye),
       _stateSets(stateSets),
-      _states(1, CasterState(facts))
+      _states(1, stateAt(cv, facts))
 {
     setTraversalMask(cv.getTraversalMask());
     setNodeMaskOverride(cv.getNodeMaskOverride());
@@ -140,6 +153,10 @@ void CasterCollector::add(const osg::Geometry& geometry, const osg::Matrixd& eye
         osg::ref_ptr<osg::StateSet>& shared = _stateSets[state.key(geometry)];
         if (!shared) shared = state.makeStateSet(geometry);
         caster.state = shared;
+    }
+    if (_findsSentLight) {
+        caster.sent = state.sentLight(geometry, _displayColors);
+        if (caster.state) caster.sent.opacity = state.opacity();
     }
     _casters.push_back(caster);
 }

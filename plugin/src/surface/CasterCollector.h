@@ -25,6 +25,7 @@ struct Caster {
     osg::Matrixd worldFromModel;
     osg::ref_ptr<osg::StateSet> state;  // of perforated ones; null: solid
     unsigned shape = 0;                 // modified count of its vertices
+    SentLight sent = {};                // where it was asked for
 };
 
 /** All that casts shadows below a node, whether the view shows it or not: levels of detail, switches, billboards and paged
@@ -42,7 +43,15 @@ class OSGENVLIGHT_EXPORT CasterCollector : public osg::NodeVisitor, public osg::
     CasterCollector(osgUtil::CullVisitor& cv, const osg::Matrixd& worldFromEye, StateSets& stateSets,
                     SurfaceFacts* facts = nullptr);
 
-    /** The casters below the group; its own state set does not count. */
+    /** Find out what light the casters send on, too.
+     * @param displayColors  the host's colours are display values */
+    void findSentLight(bool displayColors)
+    {
+        _findsSentLight = true;
+        _displayColors = displayColors;
+    }
+
+    /** The casters below the group. */
     std::vector<Caster> collect(osg::Group& group);
 
     /** Drop the state sets, and with them the user's textures, that none of the casters has. */
@@ -72,6 +81,8 @@ class OSGENVLIGHT_EXPORT CasterCollector : public osg::NodeVisitor, public osg::
     StateSets& _stateSets;
     std::vector<CasterState> _states;
     std::vector<Caster> _casters;
+    bool _findsSentLight = false;
+    bool _displayColors = true;
 };
 
 /** True if both throw the same shadow: one shape at one place, to within slack [world units]. */

@@ -9,7 +9,7 @@ namespace osgEnvLight
 
 void CasterState::merge(const osg::StateSet& s)
 {
-    SurfaceState::merge(s);
+    SentLightState::merge(s);
     _alphaTest.merge(s.getMode(GL_ALPHA_TEST));
     _alphaFunction.merge(s.getAttributePair(osg::StateAttribute::ALPHAFUNC));
     if (!s.getTextureAttributeList().empty()) _textureMatrix.merge(s.getTextureAttributePair(0, osg::StateAttribute::TEXMAT));

@@ -1,7 +1,7 @@
 /* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
 #pragma once
 
-#include "surface/SurfaceState.h"
+#include "surface/SentLightState.h"
 
 #include <map>
 #include <tuple>
@@ -9,11 +9,11 @@
 namespace osgEnvLight
 {
 
-/** What the state sets above a drawable say of the shadow that it casts. */
-class OSGENVLIGHT_EXPORT CasterState : public SurfaceState
+/** What the state sets above a drawable say of the shadow that it casts, and of the light that it sends on. */
+class OSGENVLIGHT_EXPORT CasterState : public SentLightState
 {
   public:
-    explicit CasterState(SurfaceFacts* facts = nullptr) : SurfaceState(facts) {}
+    explicit CasterState(SurfaceFacts* facts = nullptr) : SentLightState(facts) {}
 
     void merge(const osg::StateSet& stateSet);
 

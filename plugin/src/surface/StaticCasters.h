@@ -3,6 +3,8 @@
 
 #include "surface/CasterMesh.h"
 
+#include <memory>
+
 namespace osgEnvLight
 {
 
@@ -17,6 +19,18 @@ class OSGENVLIGHT_EXPORT StaticCasters
 
     /** @param moved  whether they differ from the last ones by more than slack [world units] */
     void update(const std::vector<Caster>& casters, bool moved, double slack);
+
+    /** Those that stand still, solid or perforated: their triangles about the place's origin, and the light that they send on. */
+    struct Part {
+        std::shared_ptr<const CasterMesh> mesh;
+        SentLight sent;
+    };
+    using Parts = std::vector<Part>;
+    Parts parts() const;
+    /** Counts the changes of their triangles; 0 before the first update. */
+    unsigned generation() const { return _generation; }
+    /** Counts those of their light. */
+    unsigned sentVersion() const { return _sentVersion; }
 
     /** What stands for all of them. */
     std::vector<Caster> drawn() const;
@@ -33,17 +47,20 @@ class OSGENVLIGHT_EXPORT StaticCasters
   private:
     struct Still {
         Caster caster;
-        CasterMesh mesh;
+        std::shared_ptr<const CasterMesh> mesh;
     };
     void sort(const std::vector<Caster>& casters, bool merges, double slack);
     void build();
+    void takeSentLight(const std::vector<Caster>& casters);
 
     osg::Vec3d _origin;
     double _cell = 0.0;
     std::vector<Still> _still;              // in the casters' order
-    std::vector<Caster> _loose;             // all others
-    osg::ref_ptr<osg::Geometry> _geometry;  // of _still; null before the first update
+    std::vector<Caster> _loose;             // what is drawn as it is: all others, and of those the perforated ones
+    osg::ref_ptr<osg::Geometry> _geometry;  // of the solid ones of _still; null before the first update
     unsigned _frames = 0;                   // since the last motion
+    unsigned _generation = 0;
+    unsigned _sentVersion = 1;
 };
 
 }  // namespace osgEnvLight

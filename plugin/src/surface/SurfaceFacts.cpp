@@ -5,6 +5,11 @@
 #include <osg/StateSet>
 #include <osg/Texture2D>
 
+#include <algorithm>
+
+#include "glsl.h"
+#include "lib/tone.glsl"
+
 namespace osgEnvLight
 {
 
@@ -101,6 +106,33 @@ bool anyBelow(const Array& colors, double one)
     return false;
 }
 
+template <class Array>
+osg::Vec3f meanOf(const Array& colors, double one)
+{
+    osg::Vec3d sum;
+    for (const auto& c : colors) sum += osg::Vec3d(double(c[0]), double(c[1]), double(c[2])) / one;
+    return colors.empty() ? osg::Vec3f(1, 1, 1) : osg::Vec3f(sum / double(colors.size()));
+}
+
+// By 32 x 32 texels at most.
+void addMeans(TextureFacts& facts, const osg::Image& image)
+{
+    if (facts.alphaOnly) facts.mean = osg::Vec3f(1, 1, 1);
+    if (facts.alphaOnly || image.s() < 1 || image.t() < 1) return;
+    const int columns = std::min(image.s(), 32), rows = std::min(image.t(), 32);
+    osg::Vec3d sum;
+    double alpha = 0.0;
+    for (int y = 0; y < rows; ++y)
+        for (int x = 0; x < columns; ++x) {
+            const osg::Vec4 c =
+                image.getColor(unsigned((2 * x + 1) * image.s() / (2 * columns)), unsigned((2 * y + 1) * image.t() / (2 * rows)));
+            for (int k = 0; k < 3; ++k) sum[k] += facts.linear ? double(c[k]) : glsl::srgbDecode(double(c[k]));
+            alpha += double(c[3]);
+        }
+    facts.mean = osg::Vec3f(sum / double(columns * rows));
+    facts.opacity = float(alpha / double(columns * rows));
+}
+
 class TextureLooker : public osg::NodeVisitor
 {
   public:
@@ -137,8 +169,19 @@ TextureFacts SurfaceFacts::measure(const osg::Texture& texture)
     if (!image) return ofFormat(texture);
     const GLenum pixels = image->getPixelFormat();
     const bool given = texture.getInternalFormatMode() == osg::Texture::USE_USER_DEFINED_FORMAT;
-    return {image->isImageTranslucent(), isFloat(image->getDataType()) || (given && isSrgbFormat(texture.getInternalFormat())),
-            pixels == GL_ALPHA};
+    TextureFacts facts{image->isImageTranslucent(),
+                       isFloat(image->getDataType()) || (given && isSrgbFormat(texture.getInternalFormat())), pixels == GL_ALPHA};
+    addMeans(facts, *image);
+    return facts;
+}
+
+osg::Vec3f SurfaceFacts::measureMean(const osg::Array& colors)
+{
+    if (const auto* a = dynamic_cast<const osg::Vec4Array*>(&colors)) return meanOf(*a, 1.0);
+    if (const auto* a = dynamic_cast<const osg::Vec3Array*>(&colors)) return meanOf(*a, 1.0);
+    if (const auto* a = dynamic_cast<const osg::Vec4dArray*>(&colors)) return meanOf(*a, 1.0);
+    if (const auto* a = dynamic_cast<const osg::Vec4ubArray*>(&colors)) return meanOf(*a, 255.0);
+    return osg::Vec3f(1, 1, 1);
 }
 
 bool SurfaceFacts::measure(const osg::Array& colors)
@@ -171,15 +214,28 @@ TextureFacts SurfaceFacts::of(const osg::Texture& texture)
     return entry.facts;
 }
 
+const SurfaceFacts::ArrayEntry& SurfaceFacts::entryOf(const osg::Array& colors)
+{
+    ArrayEntry& entry = _arrays[&colors];
+    if (entry.array != &colors || entry.modified != colors.getModifiedCount())
+        entry = {&colors, colors.getModifiedCount(), measure(colors), measureMean(colors)};
+    return entry;
+}
+
 bool SurfaceFacts::isTranslucent(const osg::Array& colors)
 {
     std::lock_guard<std::mutex> lock(_mutex);
-    ArrayEntry& entry = _arrays[&colors];
-    if (entry.array != &colors || entry.modified != colors.getModifiedCount())
-        entry = {&colors, colors.getModifiedCount(), measure(colors)};
-    const bool translucent = entry.translucent;
+    const bool translucent = entryOf(colors).translucent;
     forgetDead();
     return translucent;
+}
+
+osg::Vec3f SurfaceFacts::meanColor(const osg::Array& colors)
+{
+    std::lock_guard<std::mutex> lock(_mutex);
+    const osg::Vec3f mean = entryOf(colors).mean;
+    forgetDead();
+    return mean;
 }
 
 void SurfaceFacts::look(osg::Node& node)

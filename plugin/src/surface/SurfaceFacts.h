@@ -7,6 +7,7 @@
 #include <osg/Image>
 #include <osg/Node>
 #include <osg/Texture>
+#include <osg/Vec3f>
 #include <osg/observer_ptr>
 
 #include <map>
@@ -17,9 +18,11 @@ namespace osgEnvLight
 
 /** What the texels of a texture say of the surfaces that bear it. */
 struct TextureFacts {
-    bool translucent = false;  // some alpha is less than 1
-    bool linear = false;       // colours are scene-linear: floats, or in a format that the GPU decodes
-    bool alphaOnly = false;    // it has no colour: GL_ALPHA
+    bool translucent = false;                        // some alpha is less than 1
+    bool linear = false;                             // colours are scene-linear: floats, or in a format that the GPU decodes
+    bool alphaOnly = false;                          // it has no colour: GL_ALPHA
+    osg::Vec3f mean = osg::Vec3f(0.5f, 0.5f, 0.5f);  // colour, linear; grey where no image was seen
+    float opacity = 1.0f;                            // mean alpha
 };
 
 /** Remembers what texels and vertex colours say, so that they are read once: OSG gives a texture's image away when it has
@@ -35,6 +38,9 @@ class OSGENVLIGHT_EXPORT SurfaceFacts : public osg::Referenced
     /** Whether some alpha of vertex colours is less than 1. */
     bool isTranslucent(const osg::Array& colors);
 
+    /** Mean of vertex colours, as they are. */
+    osg::Vec3f meanColor(const osg::Array& colors);
+
     /** Read all textures below a node while their images are there: before they are uploaded. */
     void look(osg::Node& node);
 
@@ -44,6 +50,7 @@ class OSGENVLIGHT_EXPORT SurfaceFacts : public osg::Referenced
     /** The same without a memory. */
     static TextureFacts measure(const osg::Texture& texture);
     static bool measure(const osg::Array& colors);
+    static osg::Vec3f measureMean(const osg::Array& colors);
 
     /** False for a texture that OSG does not draw with: its image is missing, and nothing else fills it. */
     static bool hasTexels(const osg::Texture& texture);
@@ -63,7 +70,9 @@ class OSGENVLIGHT_EXPORT SurfaceFacts : public osg::Referenced
         osg::observer_ptr<const osg::Array> array;
         unsigned modified = 0;
         bool translucent = false;
+        osg::Vec3f mean;
     };
+    const ArrayEntry& entryOf(const osg::Array& colors);
     void forgetDead();
 
     mutable std::mutex _mutex;

@@ -1,0 +1,28 @@
+/* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
+#pragma once
+
+#include "indirect/TransportScene.h"
+#include "indirect/TransportTargets.h"
+
+namespace osgEnvLight
+{
+
+/** The light between the surfaces of a view's scene, as it stands in a frame. */
+struct IndirectLight {
+    osg::ref_ptr<TransportScene> scene;
+    osg::ref_ptr<osg::Texture2D> reflectances, emissions;  // of its points; null: none emits
+    TransportTargets targets;
+
+    bool fresh = true;          // nothing has been drawn into the targets
+    unsigned turns = 0;         // frames in which points will be lit after this one
+    unsigned rows = 0;          // of every so many rows of points one is lit in this frame; 0: none is due
+    unsigned turn = 0;          // which one, modulo rows
+    unsigned bounces = 0;       // that are drawn in this frame
+    unsigned laterBounces = 0;  // and after it
+    double share = 0.0;         // of the picture's indirect light; the rest is the mean radiance of what blocks light
+
+    /** Further frames would change the picture by themselves. */
+    bool settles() const { return turns > 0 || laterBounces > 0 || share < 1.0; }
+};
+
+}  // namespace osgEnvLight

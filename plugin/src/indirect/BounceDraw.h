@@ -1,0 +1,51 @@
+/* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
+#pragma once
+
+#include "gl/FrameTimer.h"
+#include "indirect/TransportTargets.h"
+
+#include <osg/Geometry>
+#include <osg/StateSet>
+
+#include <vector>
+
+namespace osgEnvLight
+{
+
+/** Lets light go on between surface points and probes: what the points send on, then what the probes see of that, some times
+ * over. Owned by one frame of one view; written at cull.*/
+class OSGENVLIGHT_EXPORT BounceDraw : public osg::Drawable
+{
+  public:
+    /** @param vertices  fullScreenVertices() */
+    explicit BounceDraw(osg::Vec3Array* vertices);
+
+    /** The programs' state sets, with their textures and uniforms. */
+    struct States {
+        std::vector<osg::ref_ptr<osg::StateSet>> uniforms;  // of this frame, for all of them
+        osg::ref_ptr<osg::StateSet> first;                  // of the points where the probes have seen nothing yet
+        osg::ref_ptr<osg::StateSet> points;                 // where they have
+        osg::ref_ptr<osg::StateSet> harmonics, probes;
+    };
+    /** @param fresh    the probes have seen nothing yet
+     * @param bounces  in this frame */
+    void prepare(const TransportTargets& targets, const States& states, bool fresh, unsigned bounces, const TimedDraw& timed);
+
+    void drawImplementation(osg::RenderInfo& renderInfo) const override;
+    osg::BoundingBox computeBoundingBox() const override { return osg::BoundingBox(); }
+    void resizeGLObjectBuffers(unsigned maximum) override;
+    void releaseGLObjects(osg::State* state) const override;
+
+  private:
+    void drawInto(osg::RenderInfo& renderInfo, osg::FrameBufferObject& target, const osg::Texture2D& texture,
+                  const osg::StateSet& stateSet) const;
+
+    osg::ref_ptr<osg::Geometry> _triangle;
+    TransportTargets _targets;
+    States _states;
+    bool _fresh = false;
+    unsigned _bounces = 0;
+    TimedDraw _timed;
+};
+
+}  // namespace osgEnvLight

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+#include "indirect/ProbeGrid.h"
+
+#include "base/Limits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <numeric>
+
+#include "glsl.h"
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+constexpr int depthSide = limits::PROBE_DEPTH_SIDE;
+
+// Texels of the depth map and the rays that each averages, by cos^40 of the angle between [indirect.md 4].
+struct DepthTexel {
+    std::vector<std::pair<unsigned, float>> rays;
+};
+
+std::vector<DepthTexel> makeDepthTexels()
+{
+    std::vector<DepthTexel> texels(size_t(depthSide * depthSide));
+    const auto& rays = ProbeGrid::directions();
+    for (int i = 0; i < depthSide * depthSide; ++i) {
+        const glsl::vec3 d = glsl::directionFromOctahedral((glsl::vec2(i % depthSide, i / depthSide) + 0.5) / double(depthSide));
+        for (unsigned k = 0; k < rays.size(); ++k) {
+            const double c = d.x * double(rays[k].to.x()) + d.y * double(rays[k].to.y()) + d.z * double(rays[k].to.z());
+            if (c > 0.5) texels[size_t(i)].rays.emplace_back(k, float(std::pow(c, 40.0)) * rays[k].share);
+        }
+    }
+    return texels;
+}
+
+std::vector<ProbeGrid::Direction> makeDirections()
+{
+    const int side = limits::PROBE_FACE_SIDE;
+    std::vector<ProbeGrid::Direction> all;
+    double sum = 0.0;
+    for (int face = 0; face < 6; ++face)
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) {
+                const float u = 2.0f * (float(x) + 0.5f) / float(side) - 1.0f, v = 2.0f * (float(y) + 0.5f) / float(side) - 1.0f;
+                osg::Vec3f d;
+                d[face / 2] = face % 2 ? -1.0f : 1.0f;
+                d[(face / 2 + 1) % 3] = u;
+                d[(face / 2 + 2) % 3] = v;
+                d.normalize();
+                all.push_back({d, std::pow(1.0f + u * u + v * v, -1.5f)});
+                sum += double(all.back().share);
+            }
+    for (ProbeGrid::Direction& d : all) d.share = float(double(d.share) / sum);
+    return all;
+}
+
+struct Extent {
+    float low, high;
+};
+
+// Where the planes of a grid cross an axis: half of them evenly spread, half as the triangles are, so that a ground far and wide
+// takes few of the probes.
+std::vector<float> planesAlong(const std::vector<Extent>& triangles, const Extent& all, int count)
+{
+    const int bins = 256, least = std::max(bins / count, 1);  // what is flat counts for a cell about it: no planes fall together
+    std::vector<double> density(size_t(bins) + 1, 0.0);       // as differences
+    for (const Extent& t : triangles) {
+        const float scale = float(bins) / (all.high - all.low);
+        int first = std::clamp(int((t.low - all.low) * scale), 0, bins - 1);
+        int last = std::clamp(int((t.high - all.low) * scale), first, bins - 1) + 1;
+        if (last - first < least) {
+            first = std::clamp((first + last - least) / 2, 0, bins - least);
+            last = first + least;
+        }
+        density[size_t(first)] += 1.0 / (last - first);
+        density[size_t(last)] -= 1.0 / (last - first);
+    }
+    std::partial_sum(density.begin(), density.end(), density.begin());
+    std::vector<float> planes;
+    double before = 0.0;
+    for (int bin = 0; bin < bins; ++bin) {
+        const double share = 0.5 / bins + 0.5 * density[size_t(bin)] / double(triangles.size());
+        while (int(planes.size()) < count && (double(planes.size()) + 0.5) / count <= before + share) {
+            const double within = ((double(planes.size()) + 0.5) / count - before) / share;
+            planes.push_back(all.low + (all.high - all.low) * float((bin + within) / bins));
+        }
+        before += share;
+    }
+    return planes;
+}
+
+std::array<std::vector<float>, 3> planesFor(const TracedScene& scene, int most)
+{
+    osg::BoundingBoxf box;
+    for (size_t i = 0; i < scene.triangles.size(); ++i)
+        for (int corner = 0; corner < 3; ++corner) box.expandBy(scene.corner(i, corner));
+    const osg::Vec3f size = box._max - box._min;
+    const int shortest = size.z() <= size.x() && size.z() <= size.y() ? 2 : size.y() <= size.x() ? 1 : 0;
+    const float least = 0.02f * size.length() + 1e-20f;  // a plane's box has a height, too
+    std::array<std::vector<float>, 3> planes;
+    std::vector<Extent> triangles(scene.triangles.size());
+    for (int k = 0; k < 3; ++k) {
+        for (size_t i = 0; i < triangles.size(); ++i) {
+            const auto [low, high] = std::minmax({scene.corner(i, 0)[k], scene.corner(i, 1)[k], scene.corner(i, 2)[k]});
+            triangles[i] = {low, high};
+        }
+        const float more = 0.5f * std::max(least - size[k], 0.0f);
+        planes[size_t(k)] =
+            planesAlong(triangles, {box._min[k] - more, box._max[k] + more}, k == shortest ? std::max(most / 2, 1) : most);
+    }
+    return planes;
+}
+
+// A number in [0,1) that looks random, the same for the same triangle and ray.
+float chance(unsigned triangle, const osg::Vec3f& direction)
+{
+    uint32_t bits[3];
+    std::memcpy(bits, direction.ptr(), sizeof(bits));
+    uint32_t h = triangle * 0x9E3779B9u ^ bits[0] * 0x85EBCA6Bu ^ bits[1] * 0xC2B2AE35u ^ bits[2];
+    h = (h ^ h >> 16) * 0x7FEB352Du;
+    h = (h ^ h >> 15) * 0x846CA68Bu;
+    return float((h ^ h >> 16) >> 8) / 16777216.0f;
+}
+
+// The nearest surface on a ray that stops it: of those with holes some do.
+std::optional<CasterBvh::Hit> stopped(const TracedScene& scene, const CasterBvh& bvh, const osg::Vec3f& from,
+                                      const osg::Vec3f& to)
+{
+    float before = 0.0f;
+    for (int layer = 0; layer < 64; ++layer) {
+        std::optional<CasterBvh::Hit> hit = bvh.nearest(from + to * before, to);
+        if (!hit) return hit;
+        hit->distance += before;
+        const float opacity = scene.surfaces[scene.surfaceOf[hit->triangle]].opacity;
+        if (opacity >= 1.0f || chance(hit->triangle, to) < opacity) return hit;
+        before = std::nextafter(hit->distance * 1.0001f, 1e30f);
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+const std::vector<ProbeGrid::Direction>& ProbeGrid::directions()
+{
+    static const std::vector<Direction> all = makeDirections();
+    return all;
+}
+
+ProbeGrid::ProbeGrid(const TracedScene& scene, const CasterBvh& bvh, const std::vector<SurfacePoint>& points, int most,
+                     const std::atomic<bool>* stop)
+    : planes(planesFor(scene, most))
+{
+    const NearestPoint nearest(points);
+    std::array<int, 3> at{};
+    for (at[2] = 0; at[2] < int(planes[2].size()); ++at[2])
+        for (at[1] = 0; at[1] < int(planes[1].size()); ++at[1])
+            for (at[0] = 0; at[0] < int(planes[0].size()); ++at[0]) {
+                if (stop && *stop) return;
+                const osg::Vec3f middle(planes[0][size_t(at[0])], planes[1][size_t(at[1])], planes[2][size_t(at[2])]);
+                Place place{middle, true};
+                const std::vector<Seen> seen = settle(scene, bvh, place, spacing(at));
+                places.push_back(place);
+                addLinks(scene, nearest, place, seen);
+                addDepths(seen, at);
+            }
+}
+
+void ProbeGrid::addLinks(const TracedScene& scene, const NearestPoint& nearest, const Place& place, const std::vector<Seen>& seen)
+{
+    for (size_t k = 0; k < seen.size(); ++k) {
+        const Seen& s = seen[k];
+        if (s.triangle < 0) {
+            links.push_back(s.triangle);
+            continue;
+        }
+        osg::Vec3f normal = scene.normal(size_t(s.triangle));
+        normal.normalize();
+        links.push_back(int(nearest.find(place.position + directions()[k].to * s.distance, s.back ? -normal : normal,
+                                         scene.surfaceOf[size_t(s.triangle)])));
+    }
+}
+
+float ProbeGrid::spacing(const std::array<int, 3>& at) const
+{
+    float least = std::numeric_limits<float>::max();
+    for (size_t k = 0; k < 3; ++k) {
+        const std::vector<float>& p = planes[k];
+        const auto i = size_t(at[k]);
+        if (i > 0) least = std::min(least, p[i] - p[i - 1]);
+        if (i + 1 < p.size()) least = std::min(least, p[i + 1] - p[i]);
+    }
+    return least;
+}
+
+std::vector<ProbeGrid::Seen> ProbeGrid::look(const TracedScene& scene, const CasterBvh& bvh, const osg::Vec3f& from) const
+{
+    std::vector<Seen> seen;
+    for (const Direction& d : directions()) {
+        const std::optional<CasterBvh::Hit> hit = stopped(scene, bvh, from, d.to);
+        if (!hit)
+            seen.push_back({1e30f, SKY, false});
+        else if (hit->back && scene.surfaces[scene.surfaceOf[hit->triangle]].closed)
+            seen.push_back({hit->distance, BACK, true});
+        else
+            seen.push_back({hit->distance, int(hit->triangle), hit->back});
+    }
+    return seen;
+}
+
+// A probe within a body, which sees its inside over a quarter of all directions, moves out through the nearest side if that is
+// not far; one close to a surface moves away from it [indirect.md 3].
+std::vector<ProbeGrid::Seen> ProbeGrid::settle(const TracedScene& scene, const CasterBvh& bvh, Place& place, float cell) const
+{
+    const int tries = 4;
+    for (int i = 1;; ++i) {
+        std::vector<Seen> seen = look(scene, bvh, place.position);
+        float inside = 0.0f;
+        size_t nearestBack = seen.size(), nearestFront = seen.size();
+        for (size_t k = 0; k < seen.size(); ++k) {
+            if (seen[k].triangle == SKY) continue;
+            size_t& nearest = seen[k].triangle == BACK ? nearestBack : nearestFront;
+            if (nearest == seen.size() || seen[k].distance < seen[nearest].distance) nearest = k;
+            if (seen[k].triangle == BACK) inside += directions()[k].share;
+        }
+        place.on = inside <= 0.25f;
+        if (i == tries) return seen;
+        if (!place.on && seen[nearestBack].distance < 0.7f * cell)
+            place.position += directions()[nearestBack].to * (seen[nearestBack].distance + 0.1f * cell);
+        else if (place.on && nearestFront < seen.size() && seen[nearestFront].distance < 0.1f * cell)
+            place.position -= directions()[nearestFront].to * (0.15f * cell - seen[nearestFront].distance);
+        else
+            return seen;
+    }
+}
+
+void ProbeGrid::addDepths(const std::vector<Seen>& seen, const std::array<int, 3>& at)
+{
+    static const std::vector<DepthTexel> texels = makeDepthTexels();
+    osg::Vec3f widest;
+    for (int k = 0; k < 3; ++k) {
+        const std::vector<float>& p = planes[size_t(k)];
+        const int i = at[size_t(k)], before = std::max(i - 1, 0), after = std::min(i + 1, int(p.size()) - 1);
+        widest[k] = std::max(p[size_t(i)] - p[size_t(before)], p[size_t(after)] - p[size_t(i)]);
+    }
+    const float most = 1.5f * widest.length();  // no pixel within the grid asks a probe from farther away
+    for (const DepthTexel& texel : texels) {
+        double weights = 0.0, sum = 0.0, squares = 0.0;
+        for (const auto& [ray, weight] : texel.rays) {
+            // Behind a side that nobody sees nothing is near.
+            const double distance = double(std::min(seen[ray].distance * (seen[ray].triangle == BACK ? 0.2f : 1.0f), most));
+            weights += double(weight);
+            sum += double(weight) * distance;
+            squares += double(weight) * distance * distance;
+        }
+        depths.push_back({float(sum / weights), float(squares / weights)});
+    }
+}
+
+}  // namespace osgEnvLight

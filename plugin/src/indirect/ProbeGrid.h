@@ -1,0 +1,59 @@
+/* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
+#pragma once
+
+#include "indirect/CasterBvh.h"
+#include "indirect/SurfacePoints.h"
+
+#include <osg/BoundingBox>
+
+#include <array>
+
+namespace osgEnvLight
+{
+
+/** Probes on a grid over a scene. Each knows, for directions all about, which surface point it sees: which does not change with
+ * the light [indirect2.md 4].*/
+struct OSGENVLIGHT_EXPORT ProbeGrid {
+    /** What a probe sees in a direction, where that is no point. */
+    enum Link : int { SKY = -1, BACK = -2 };
+
+    /** @param points  of the scene, not none
+     * @param most    probes along the longer sides of the grid's box; half of these along the shortest
+     * @param stop    set by another thread: the rest stays empty */
+    ProbeGrid(const TracedScene& scene, const CasterBvh& bvh, const std::vector<SurfacePoint>& points, int most,
+              const std::atomic<bool>* stop = nullptr);
+
+    /** The directions of all probes, texels of six faces of a cube, and their share of the sphere. */
+    struct Direction {
+        osg::Vec3f to;
+        float share;
+    };
+    static const std::vector<Direction>& directions();
+
+    size_t probes() const { return places.size(); }
+
+    /** Where the planes that probes belong to cross the axes, ascending: finer where the scene is. */
+    std::array<std::vector<float>, 3> planes;
+    struct Place {
+        osg::Vec3f position;  // may be off the planes, out of a body
+        bool on;              // not within one
+    };
+    std::vector<Place> places;
+    std::vector<int> links;  // of all directions of the first probe, and so on
+    /** Of each probe an octahedral map of distances, depthSide texels a side: mean and mean square about a direction. */
+    std::vector<std::array<float, 2>> depths;
+
+  private:
+    struct Seen {
+        float distance;
+        int triangle;  // or SKY, BACK
+        bool back;
+    };
+    std::vector<Seen> look(const TracedScene& scene, const CasterBvh& bvh, const osg::Vec3f& from) const;
+    std::vector<Seen> settle(const TracedScene& scene, const CasterBvh& bvh, Place& place, float cell) const;
+    float spacing(const std::array<int, 3>& at) const;
+    void addLinks(const TracedScene& scene, const NearestPoint& nearest, const Place& place, const std::vector<Seen>& seen);
+    void addDepths(const std::vector<Seen>& seen, const std::array<int, 3>& at);
+};
+
+}  // namespace osgEnvLight

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "indirect/SurfacePoints.h"
+
+#include "base/R2Points.h"
+
+#include <osg/BoundingBox>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+// A side of a triangle that light may reach.
+struct Side {
+    uint64_t order;
+    uint32_t triangle;
+    bool back;
+    double area;
+};
+
+// Bits of three coordinates in [0,1] in turn, 10 of each.
+uint64_t mortonCode(const osg::Vec3f& p)
+{
+    uint64_t code = 0;
+    for (int bit = 9; bit >= 0; --bit)
+        for (int k = 0; k < 3; ++k) code = code << 1 | (unsigned(std::clamp(p[k], 0.0f, 1.0f) * 1023.0f) >> bit & 1u);
+    return code;
+}
+
+unsigned classOf(const osg::Vec3f& normal)
+{
+    int axis = 0;
+    for (int k = 1; k < 3; ++k)
+        if (std::abs(normal[k]) > std::abs(normal[axis])) axis = k;
+    return unsigned(2 * axis + (normal[axis] > 0.0f));
+}
+
+std::vector<Side> sidesOf(const TracedScene& scene)
+{
+    osg::BoundingBoxf box;
+    for (const osg::Vec3f& p : scene.positions) box.expandBy(p);
+    std::vector<Side> sides;
+    for (uint32_t i = 0; i < scene.triangles.size(); ++i) {
+        const osg::Vec3f normal = scene.normal(i);
+        const double area = 0.5 * double(normal.length()) * double(scene.surfaces[scene.surfaceOf[i]].opacity);
+        if (!(area > 0.0) || !std::isfinite(area)) continue;
+        osg::Vec3f place = (scene.corner(i, 0) + scene.corner(i, 1) + scene.corner(i, 2)) / 3.0f - box._min;
+        for (int k = 0; k < 3; ++k) place[k] /= std::max(box._max[k] - box._min[k], 1e-30f);
+        const uint64_t code = mortonCode(place);
+        sides.push_back({uint64_t(classOf(normal)) << 32 | code, i, false, area});
+        if (!scene.surfaces[scene.surfaceOf[i]].closed) sides.push_back({uint64_t(classOf(-normal)) << 32 | code, i, true, area});
+    }
+    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+        return std::tie(a.order, a.triangle, a.back) < std::tie(b.order, b.triangle, b.back);
+    });
+    return sides;
+}
+
+// The index-th of points spread over a triangle; the first is its middle.
+osg::Vec3f pointOf(const TracedScene& scene, uint32_t triangle, unsigned index)
+{
+    const osg::Vec3f &a = scene.corner(triangle, 0), &b = scene.corner(triangle, 1), &c = scene.corner(triangle, 2);
+    if (index == 0) return (a + b + c) / 3.0f;
+    const osg::Vec2d u = r2Point(index);
+    const double root = std::sqrt(u[0]);
+    return osg::Vec3f(a * float(1.0 - root) + b * float(root * (1.0 - u[1])) + c * float(root * u[1]));
+}
+
+}  // namespace
+
+std::vector<SurfacePoint> placeSurfacePoints(const TracedScene& scene, unsigned count)
+{
+    std::vector<SurfacePoint> points;
+    const std::vector<Side> sides = sidesOf(scene);
+    const double all = std::accumulate(sides.begin(), sides.end(), 0.0, [](double sum, const Side& s) { return sum + s.area; });
+    double before = 0.0;
+    for (const Side& side : sides) {
+        before += side.area;
+        const bool last = &side == &sides.back();
+        for (unsigned i = 0; points.size() < count && (last || (double(points.size()) + 0.5) * all < before * count); ++i) {
+            osg::Vec3f normal = scene.normal(side.triangle);
+            normal.normalize();
+            points.push_back({pointOf(scene, side.triangle, i), side.back ? -normal : normal, scene.surfaceOf[side.triangle]});
+        }
+    }
+    return points;
+}
+
+NearestPoint::NearestPoint(const std::vector<SurfacePoint>& points) : _points(points)
+{
+    osg::BoundingBoxf box;
+    for (const SurfacePoint& p : points) box.expandBy(p.position);
+    _low = box._min;
+    const osg::Vec3f extent = box._max - box._min;
+    _penalty = 0.01f * extent.length2();
+    _width = std::max({extent.x(), extent.y(), extent.z(), 1e-30f}) / 24.0f;
+    for (int k = 0; k < 3; ++k) _cells[size_t(k)] = int(extent[k] / _width) + 1;
+    _starts.resize(size_t(_cells[0]) * size_t(_cells[1]) * size_t(_cells[2]) + 1);
+    std::vector<unsigned> cells;
+    for (const SurfacePoint& p : points) {
+        cells.push_back(cell(cellAlong(0, p.position.x()), cellAlong(1, p.position.y()), cellAlong(2, p.position.z())));
+        ++_starts[cells.back() + 1];
+    }
+    std::partial_sum(_starts.begin(), _starts.end(), _starts.begin());
+    _order.resize(points.size());
+    std::vector<unsigned> next(_starts.begin(), _starts.end() - 1);
+    for (unsigned i = 0; i < points.size(); ++i) _order[next[cells[i]]++] = i;
+}
+
+int NearestPoint::cellAlong(int axis, float position) const
+{
+    return int(std::clamp((position - _low[axis]) / _width, 0.0f, float(_cells[size_t(axis)] - 1)));
+}
+
+unsigned NearestPoint::find(const osg::Vec3f& position, const osg::Vec3f& normal, unsigned surface) const
+{
+    const int x = cellAlong(0, position.x()), y = cellAlong(1, position.y()), z = cellAlong(2, position.z());
+    float least = std::numeric_limits<float>::max();
+    unsigned found = 0;
+    for (int ring = 0; ring < std::max({_cells[0], _cells[1], _cells[2]}); ++ring) {
+        for (int k = std::max(z - ring, 0); k <= std::min(z + ring, _cells[2] - 1); ++k)
+            for (int j = std::max(y - ring, 0); j <= std::min(y + ring, _cells[1] - 1); ++j)
+                for (int i = std::max(x - ring, 0); i <= std::min(x + ring, _cells[0] - 1); ++i) {
+                    if (std::max({std::abs(i - x), std::abs(j - y), std::abs(k - z)}) < ring) continue;
+                    for (unsigned n = _starts[cell(i, j, k)]; n < _starts[cell(i, j, k) + 1]; ++n) {
+                        const SurfacePoint& p = _points[_order[n]];
+                        float far = (p.position - position).length2();
+                        if (p.normal * normal < 0.5f) far = 16.0f * far + _penalty;
+                        if (p.surface != surface) far = 16.0f * far + _penalty;
+                        if (far < least) std::tie(least, found) = std::make_tuple(far, _order[n]);
+                    }
+                }
+        if (least <= float(ring) * _width * float(ring) * _width) break;  // what is left lies farther away
+    }
+    return found;
+}
+
+}  // namespace osgEnvLight

@@ -1,0 +1,45 @@
+/* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
+#pragma once
+
+#include "indirect/TracedScene.h"
+
+namespace osgEnvLight
+{
+
+/** A point that stands for the surface about it. */
+struct SurfacePoint {
+    osg::Vec3f position;
+    osg::Vec3f normal;
+    unsigned surface;  // its number in the scene
+};
+
+/** Points spread evenly over the area of all surfaces: systematic along a Morton curve within six classes of normals, so that
+ * those that follow each other are neighbours [indirect.md 4]. Surfaces that are not closed have points on both sides. None where
+ * there is no area.*/
+OSGENVLIGHT_EXPORT std::vector<SurfacePoint> placeSurfacePoints(const TracedScene& scene, unsigned count);
+
+/** Finds the point that stands for a place on a surface. */
+class OSGENVLIGHT_EXPORT NearestPoint
+{
+  public:
+    explicit NearestPoint(const std::vector<SurfacePoint>& points);
+
+    /** The number of the nearest point. One of another surface, or whose normal is over 60 degrees away, counts as four times as
+     * far and more: a lamp in front of a wall is not the wall.
+     * @param normal  of unit length */
+    unsigned find(const osg::Vec3f& position, const osg::Vec3f& normal, unsigned surface) const;
+
+  private:
+    int cellAlong(int axis, float position) const;
+    unsigned cell(int x, int y, int z) const { return unsigned((z * _cells[1] + y) * _cells[0] + x); }
+
+    const std::vector<SurfacePoint>& _points;
+    osg::Vec3f _low;
+    float _width = 0.0f;          // of a cell
+    std::array<int, 3> _cells{};  // along each axis
+    float _penalty = 0.0f;
+    std::vector<unsigned> _starts;  // of each cell, in _order
+    std::vector<unsigned> _order;   // numbers of points, by cells
+};
+
+}  // namespace osgEnvLight

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "indirect/TransportScene.h"
+
+#include "base/Limits.h"
+#include "gl/TargetTexture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "glsl.h"
+#include "lib/sh.glsl"
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+constexpr int pointSide = limits::POINT_SIDE;
+
+struct Texels {
+    osg::ref_ptr<osg::Image> image;
+    int channels;
+
+    Texels(int width, int height, int count) : image(new osg::Image), channels(count)
+    {
+        image->allocateImage(width, height, 1, channels == 1 ? GL_RED : channels == 2 ? GL_RG : GL_RGBA, GL_FLOAT);
+        std::fill_n(reinterpret_cast<float*>(image->data()), size_t(width) * size_t(height) * size_t(channels), 0.0f);
+    }
+    float* at(int x, int y) { return reinterpret_cast<float*>(image->data(unsigned(x), unsigned(y))); }
+    float* at(int i) { return at(i % image->s(), i / image->s()); }
+    void put(int i, const osg::Vec3f& v, float w)
+    {
+        std::copy_n(v.ptr(), 3, at(i));
+        at(i)[3] = w;
+    }
+
+    osg::ref_ptr<osg::Texture2D> texture(GLint format) const
+    {
+        osg::ref_ptr<osg::Texture2D> t = targetTexture(image->s(), image->t(), format);
+        image->setInternalTextureFormat(format);
+        t->setImage(image);
+        return t;
+    }
+};
+
+}  // namespace
+
+TransportScene::TransportScene(const TracedScene& scene, const osg::Vec3d& place, int most, const std::atomic<bool>* stop)
+    : origin(place)
+{
+    const std::vector<SurfacePoint> points = placeSurfacePoints(scene, unsigned(pointSide * pointSide));
+    if (points.empty()) return;
+    const CasterBvh bvh(scene, stop);
+    const ProbeGrid grid(scene, bvh, points, most, stop);
+    if (stop && *stop) return;
+    writePoints(points);
+    writeProbes(grid);
+}
+
+void TransportScene::writePoints(const std::vector<SurfacePoint>& points)
+{
+    Texels places(pointSide, pointSide, 4), normals(pointSide, pointSide, 4);
+    for (size_t i = 0; i < points.size(); ++i) {
+        places.put(int(i), points[i].position, 1.0f);
+        normals.put(int(i), points[i].normal, 1.0f);
+        _surfaceOf.push_back(points[i].surface);
+    }
+    pointPlaces = places.texture(GL_RGBA32F_ARB);
+    pointNormals = normals.texture(GL_RGBA32F_ARB);
+}
+
+void TransportScene::writeProbes(const ProbeGrid& grid)
+{
+    for (size_t k = 0; k < 3; ++k) count[k] = int(grid.planes[k].size());
+    const int probes = int(grid.probes());
+    columns = int(std::ceil(std::sqrt(double(probes))));
+    uniforms = new osg::StateSet;
+    const osg::ref_ptr<osg::Uniform> counts = new osg::Uniform(osg::Uniform::INT_VEC3, "probeCount");
+    counts->set(count[0], count[1], count[2]);
+    uniforms->addUniform(counts);
+    uniforms->addUniform(new osg::Uniform("probeColumns", columns));
+    const osg::ref_ptr<osg::Uniform> planes = new osg::Uniform(osg::Uniform::FLOAT, "probePlanes", 3 * limits::MOST_PROBES);
+    for (size_t k = 0; k < 3; ++k)
+        for (size_t i = 0; i < grid.planes[k].size(); ++i)
+            planes->setElement(unsigned(k * limits::MOST_PROBES + i), grid.planes[k][i]);
+    uniforms->addUniform(planes);
+    Texels places(columns, columns, 4);
+    for (int i = 0; i < probes; ++i) places.put(i, grid.places[size_t(i)].position, grid.places[size_t(i)].on ? 1.0f : 0.0f);
+    probePlaces = places.texture(GL_RGBA32F_ARB);
+
+    const auto& all = ProbeGrid::directions();
+    Texels links(int(all.size()), probes, 1), basis(int(all.size()), limits::PROBE_HARMONICS, 1);
+    for (size_t i = 0; i < grid.links.size(); ++i) *links.at(int(i)) = float(grid.links[i]);
+    for (int k = 0; k < limits::PROBE_HARMONICS; ++k)
+        for (size_t i = 0; i < all.size(); ++i) {
+            const double band = k < 1 ? 1.0 : k < 4 ? 2.0 / 3.0 : 0.25;  // A_l / pi [Ramamoorthi, Hanrahan 2001]
+            const glsl::vec3 d(all[i].to.x(), all[i].to.y(), all[i].to.z());
+            *basis.at(int(i), k) = float(4.0 * M_PI * double(all[i].share) * band * glsl::shBasis18(k, d));
+        }
+    probeLinks = links.texture(GL_R32F);
+    probeBasis = basis.texture(GL_R32F);
+
+    const int side = limits::PROBE_DEPTH_SIDE, tile = side + 2;
+    Texels depths(columns * tile, columns * tile, 2);
+    for (int i = 0; i < probes; ++i)
+        for (int y = 0; y < tile; ++y)
+            for (int x = 0; x < tile; ++x) {
+                const glsl::ivec2 inner = glsl::foldedTexel(glsl::ivec2(x - 1, y - 1), side);
+                const auto& depth = grid.depths[size_t((i * side + inner.y) * side + inner.x)];
+                std::copy_n(depth.data(), 2, depths.at(i % columns * tile + x, i / columns * tile + y));
+            }
+    probeDepths = depths.texture(GL_RG32F);
+    probeDepths->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR);
+    probeDepths->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
+}
+
+osg::ref_ptr<osg::Texture2D> TransportScene::ofPoints(const StaticCasters::Parts& parts, osg::Vec3f SentLight::*member) const
+{
+    Texels texels(pointSide, pointSide, 4);
+    for (size_t i = 0; i < _surfaceOf.size(); ++i) texels.put(int(i), parts[_surfaceOf[i]].sent.*member, 1.0f);
+    return texels.texture(GL_RGBA32F_ARB);
+}
+
+osg::ref_ptr<osg::Texture2D> TransportScene::reflectances(const StaticCasters::Parts& parts) const
+{
+    return ofPoints(parts, &SentLight::reflectance);
+}
+
+osg::ref_ptr<osg::Texture2D> TransportScene::emissions(const StaticCasters::Parts& parts) const
+{
+    const bool any =
+        std::any_of(parts.begin(), parts.end(), [](const StaticCasters::Part& p) { return p.sent.emission != osg::Vec3f(); });
+    return any ? ofPoints(parts, &SentLight::emission) : nullptr;
+}
+
+std::vector<osg::Texture2D*> TransportScene::textures() const
+{
+    if (empty()) return {};
+    return {pointPlaces.get(), pointNormals.get(), probePlaces.get(), probeLinks.get(), probeBasis.get(), probeDepths.get()};
+}
+
+size_t TransportScene::bytes() const
+{
+    size_t sum = 0;
+    for (const osg::Texture2D* t : textures()) sum += t->getImage()->getTotalSizeInBytes();
+    return sum;
+}
+
+void TransportScene::resizeGLObjectBuffers(unsigned maximum)
+{
+    for (osg::Texture2D* t : textures()) t->resizeGLObjectBuffers(maximum);
+}
+
+void TransportScene::releaseGLObjects(osg::State* state) const
+{
+    for (const osg::Texture2D* t : textures()) t->releaseGLObjects(state);
+}
+
+}  // namespace osgEnvLight

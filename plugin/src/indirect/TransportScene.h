@@ -1,0 +1,67 @@
+/* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
+#pragma once
+
+#include "indirect/ProbeGrid.h"
+
+#include <osg/StateSet>
+#include <osg/Texture2D>
+
+namespace osgEnvLight
+{
+
+/** What light does between the surfaces of a scene that stands still, for the GPU: surface points, and probes that know which of
+ * them they see. Light and reflectance may change; nothing of this does. */
+class OSGENVLIGHT_EXPORT TransportScene : public osg::Referenced
+{
+  public:
+    /** Takes from milliseconds to seconds: for a thread of its own.
+     * @param scene   about an origin
+     * @param origin  of the scene, in the world
+     * @param most    as of ProbeGrid
+     * @param stop    set by another thread: empty() */
+    TransportScene(const TracedScene& scene, const osg::Vec3d& origin, int most, const std::atomic<bool>* stop = nullptr);
+
+    /** There is no surface that could send light on, or it was stopped. */
+    bool empty() const { return !pointPlaces; }
+
+    const osg::Vec3d origin;
+    std::array<int, 3> count{};  // probes along each axis
+    int columns = 0;             // probes side by side in the textures of probes
+
+    // POINT_SIDE x POINT_SIDE, one texel a point: position; normal and 1.
+    osg::ref_ptr<osg::Texture2D> pointPlaces, pointNormals;
+    // columns x columns: position, and 1 or, for a probe within a body, 0.
+    osg::ref_ptr<osg::Texture2D> probePlaces;
+    // One row a probe, one texel a direction: the number of the point that is seen, or ProbeGrid::Link.
+    osg::ref_ptr<osg::Texture2D> probeLinks;
+    // One row a spherical harmonic, one texel a direction: its value there, times the direction's share of the sphere and what a
+    // cosine leaves of the harmonic's band, over pi.
+    osg::ref_ptr<osg::Texture2D> probeBasis;
+    // columns x columns octahedral maps, each with a border of one texel: distance and its square.
+    osg::ref_ptr<osg::Texture2D> probeDepths;
+
+    /** The above as pass/probegrid.glsl takes it. */
+    osg::ref_ptr<osg::StateSet> uniforms;
+
+    /** What the points send on, texels as pointPlaces. parts: those that the scene was made from, as they are now. */
+    osg::ref_ptr<osg::Texture2D> reflectances(const StaticCasters::Parts& parts) const;
+    /** Null: nothing emits. */
+    osg::ref_ptr<osg::Texture2D> emissions(const StaticCasters::Parts& parts) const;
+
+    size_t bytes() const;
+    void resizeGLObjectBuffers(unsigned maximum);
+    void releaseGLObjects(osg::State* state) const;
+
+  protected:
+    ~TransportScene() override = default;
+
+  private:
+    void writePoints(const std::vector<SurfacePoint>& points);
+    void writeProbes(const ProbeGrid& grid);
+    osg::ref_ptr<osg::Texture2D> ofPoints(const StaticCasters::Parts& parts, osg::Vec3f SentLight::*member) const;
+    std::vector<osg::Texture2D*> textures() const;
+
+    std::vector<unsigned> _surfaceOf;  // of each point
+};
+
+}  // namespace osgEnvLight

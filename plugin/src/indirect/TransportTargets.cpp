@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "indirect/TransportTargets.h"
+
+#include "base/Limits.h"
+#include "gl/RetiredObjects.h"
+#include "gl/TargetTexture.h"
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+osg::ref_ptr<osg::FrameBufferObject> targetOf(osg::Texture2D* texture)
+{
+    osg::ref_ptr<osg::FrameBufferObject> target = new osg::FrameBufferObject;
+    target->setAttachment(osg::Camera::COLOR_BUFFER0, osg::FrameBufferAttachment(texture));
+    return target;
+}
+
+}  // namespace
+
+TransportTargets::TransportTargets(int columnCount, int probeCount)
+    : columns(columnCount),
+      probes(probeCount),
+      pointLight(targetTexture(limits::POINT_SIDE, limits::POINT_SIDE, GL_RGBA32F_ARB)),
+      pointRadiance(targetTexture(limits::POINT_SIDE, limits::POINT_SIDE, GL_RGBA32F_ARB)),
+      probeHarmonics(targetTexture(limits::PROBE_HARMONICS, probes, GL_RGBA32F_ARB)),
+      probeIrradiance(targetTexture(columns * (limits::PROBE_IRRADIANCE_SIDE + 2), columns * (limits::PROBE_IRRADIANCE_SIDE + 2),
+                                    GL_RGBA32F_ARB)),
+      radianceTarget(targetOf(pointRadiance)),
+      harmonicsTarget(targetOf(probeHarmonics)),
+      irradianceTarget(targetOf(probeIrradiance))
+{
+    probeIrradiance->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR);
+    probeIrradiance->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
+}
+
+size_t TransportTargets::bytes() const
+{
+    size_t sum = 0;
+    for (const osg::Texture2D* t : textures())
+        if (t) sum += bytesOf(*t);
+    return sum;
+}
+
+void TransportTargets::resizeGLObjectBuffers(unsigned maximum) const
+{
+    if (probes == 0) return;
+    for (osg::Texture2D* t : textures()) t->resizeGLObjectBuffers(maximum);
+    for (osg::FrameBufferObject* f : frameBuffers()) f->resizeGLObjectBuffers(maximum);
+}
+
+void TransportTargets::releaseGLObjects(osg::State* state) const
+{
+    if (probes == 0) return;
+    for (osg::Texture2D* t : textures()) t->releaseGLObjects(state);
+    for (osg::FrameBufferObject* f : frameBuffers()) f->releaseGLObjects(state);
+}
+
+}  // namespace osgEnvLight

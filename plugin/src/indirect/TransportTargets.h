@@ -1,0 +1,41 @@
+/* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
+#pragma once
+
+#include <osgEnvLight/Export>
+
+#include <osg/FrameBufferObject>
+#include <osg/Texture2D>
+
+#include <vector>
+
+namespace osgEnvLight
+{
+
+/** What is drawn of the light between surfaces: it stays from frame to frame. */
+struct OSGENVLIGHT_EXPORT TransportTargets {
+    TransportTargets() = default;
+    /** @param columns, probes  of a TransportScene */
+    TransportTargets(int columns, int probes);
+
+    int columns = 0;
+    int probes = 0;
+    osg::ref_ptr<osg::Texture2D> pointLight;       // as pass/points.frag
+    osg::ref_ptr<osg::Texture2D> pointRadiance;    // as pass/pointradiance.frag
+    osg::ref_ptr<osg::Texture2D> probeHarmonics;   // as pass/probeharmonics.frag
+    osg::ref_ptr<osg::Texture2D> probeIrradiance;  // as pass/probes.frag
+    osg::ref_ptr<osg::FrameBufferObject> radianceTarget, harmonicsTarget, irradianceTarget;
+
+    std::vector<osg::Texture2D*> textures() const
+    {
+        return {pointLight.get(), pointRadiance.get(), probeHarmonics.get(), probeIrradiance.get()};
+    }
+    std::vector<osg::FrameBufferObject*> frameBuffers() const
+    {
+        return {radianceTarget.get(), harmonicsTarget.get(), irradianceTarget.get()};
+    }
+    size_t bytes() const;
+    void resizeGLObjectBuffers(unsigned maximum) const;
+    void releaseGLObjects(osg::State* state) const;
+};
+
+}  // namespace osgEnvLight

@@ -1,0 +1,50 @@
+#version 330 compatibility
+// SPDX-License-Identifier: MIT
+// What a pixel's surface receives from others, as the radiance that a white one sends on of it; and, where it has a lobe, what others
+// send from about the mirror direction. In units of the map's mean.
+#pragma import_defines(HAS_LOBES, HAS_BOUNCE)
+
+#include "pass/gbuffer.glsl"
+#include "pass/probegrid.glsl"
+#include "pass/terms.glsl"
+#ifdef HAS_BOUNCE
+#include "pass/meanradiance.glsl"
+#endif
+
+uniform mat4 atlasFromEye;  // to the probes' origin
+uniform float probeShare;  // the rest is the mean radiance of what blocks light: the former answer goes over into this one
+
+layout(location = 0) out vec4 received;
+#ifdef HAS_LOBES
+layout(location = 1) out vec4 mirrored;
+#endif
+
+void main()
+{
+    ivec2 p = ivec2(gl_FragCoord.xy);
+    vec3 n = pixelNormal(p);
+    vec3 ray = viewRay(inverseProjection, pixelNdc(p));
+    mat3 turn = mat3(atlasFromEye);
+    vec3 normal = turn * n;
+    ProbeCage cage = probesAbout(vec3(atlasFromEye * vec4(pixelEye(p), 1.0)), normal, turn * -ray);
+    float hidden = 1.0 - ambientVisibility(p);
+    vec3 about = receivedFrom(sentAbout(cage, normal), hidden);
+#ifdef HAS_BOUNCE
+    about = mix(hidden * meanRadiance(n) / radianceScale, about, probeShare);
+#endif
+    received = vec4(about, 1.0);
+#ifdef HAS_LOBES
+    mirrored = vec4(0.0);
+    if (pixelBrdf(p) == BRDF_LAMBERT) return;
+    vec3 top = n;
+#ifdef HAS_COATS
+    if (isCoated(p)) top = pixelCoatNormal(p);
+#endif
+    vec3 d = reflect(ray, top);
+    vec3 along = sentAbout(cage, turn * d).radiance;
+#ifdef HAS_BOUNCE
+    along = mix(meanRadiance(d) / radianceScale, along, probeShare);
+#endif
+    mirrored = vec4(along, 1.0);
+#endif
+}

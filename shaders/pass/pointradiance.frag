@@ -1,0 +1,36 @@
+#version 330 compatibility
+// SPDX-License-Identifier: MIT
+// What surface points send on of the light that they receive, from the map and, by the probes as the frame before left them, from each
+// other: a bounce more in each frame [indirect.md 4]. It can't grow without end: of what a point receives from others it takes no
+// more than the share of directions that it does not see of the map.
+#pragma import_defines(HAS_EMISSION, FIRST_BOUNCE)
+
+#include "pass/hostcolor.glsl"
+#ifndef FIRST_BOUNCE
+#include "pass/probegrid.glsl"
+#endif
+
+uniform sampler2D pointPlaceMap;
+uniform sampler2D pointNormalMap;
+uniform sampler2D pointLightMap;
+uniform sampler2D pointReflectanceMap;
+uniform sampler2D pointEmissionMap;
+uniform float radianceScale;
+
+layout(location = 0) out vec4 radiance;
+
+void main()
+{
+    ivec2 p = ivec2(gl_FragCoord.xy);
+    vec4 light = texelFetch(pointLightMap, p, 0);
+    vec3 received = light.rgb;
+#ifndef FIRST_BOUNCE
+    vec3 n = texelFetch(pointNormalMap, p, 0).xyz;
+    received += receivedFrom(sentAbout(probesAbout(texelFetch(pointPlaceMap, p, 0).xyz, n, n), n), 1.0 - light.a);
+#endif
+    vec3 sent = texelFetch(pointReflectanceMap, p, 0).rgb * received;
+#ifdef HAS_EMISSION
+    sent += texelFetch(pointEmissionMap, p, 0).rgb * ((materialColors == 0 ? exp2(emittedStops) : 1.0) / radianceScale);
+#endif
+    radiance = vec4(sent, 1.0);
+}

@@ -1,0 +1,64 @@
+#version 330 compatibility
+// SPDX-License-Identifier: MIT
+// The light of the map and of the suns at surface points, of which each texel is one [indirect2.md 6]: irradiance over pi, in units of the
+// map's mean, and the share of the map's directions that the point sees.
+#pragma import_defines(HAS_SUN_MAPS)
+
+#include "lib/constants.glsl"
+#include "lib/limits.glsl"
+#include "pass/atlas.glsl"
+#ifdef HAS_SUN_MAPS
+#include "pass/sunshadow.glsl"
+#endif
+
+uniform sampler2D pointPlaceMap;
+uniform sampler2D pointNormalMap;
+uniform vec3 pointsInAtlas;  // origin of the points about that of the atlas
+uniform int pointRows;       // of every so many rows of points one is due in this frame
+uniform int pointTurn;       // which one
+uniform float pointLift;     // off their surfaces, which the suns' maps show more finely
+#ifdef HAS_SUN_MAPS
+uniform vec3 pointsInSunMaps;
+#endif
+
+layout(location = 0) out vec4 light;
+
+#ifdef HAS_SUN_MAPS
+vec3 sunLight(vec3 place, vec3 n)
+{
+    vec3 sum = vec3(0.0);
+    SunPixel s = SunPixel(place + pointsInSunMaps + pointLift * n, n, -n, 0.0, 1.0, 0);
+    for (int i = 0; i < sunCount; ++i) {
+        float e = discIrradianceOverPi(dot(n, sunAxes[3 * i + 2]), sunRadius[i]);
+        if (e > 0.0) sum += e * sunSeen(i, s, 4).x * sunRadiance[i];
+    }
+    return sum;
+}
+#endif
+
+void main()
+{
+    ivec2 p = ivec2(gl_FragCoord.xy);
+    if (p.y % pointRows != pointTurn) discard;
+    vec3 place = texelFetch(pointPlaceMap, p, 0).xyz;
+    vec3 n = texelFetch(pointNormalMap, p, 0).xyz;
+    vec3 sum = vec3(0.0);
+    float seen = 0.0;
+    float all = 0.0;
+    int perGroup = textureSize(atlasLightMap, 0).x;
+    for (int group = 0; group < LIGHT_GROUPS; ++group)
+        for (int i = 0; i < perGroup; ++i) {
+            AtlasLight l = atlasLight(group, i);
+            float c = dot(n, l.direction);
+            if (c <= 0.0) continue;
+            all += c * l.solidAngle;
+            float sees = atlasSees(l, place + pointsInAtlas, n, c);
+            seen += sees * c * l.solidAngle;
+            sum += sees * c * l.flux;
+        }
+    vec3 overPi = sum * INV_PI;
+#ifdef HAS_SUN_MAPS
+    overPi += sunLight(place, n);
+#endif
+    light = vec4(overPi, all > 0.0 ? seen / all : 1.0);
+}

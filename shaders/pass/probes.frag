@@ -1,0 +1,27 @@
+#version 330 compatibility
+// SPDX-License-Identifier: MIT
+// What probes see of the surfaces as octahedral maps with a border of one texel, as pass/probegrid.glsl reads them.
+#include "lib/limits.glsl"
+#include "lib/octahedral.glsl"
+#include "lib/sh.glsl"
+
+uniform sampler2D probeHarmonicsMap;
+uniform ivec3 probeCount;
+uniform int probeColumns;
+
+layout(location = 0) out vec4 sent;  // radiance times share; share
+
+void main()
+{
+    ivec2 p = ivec2(gl_FragCoord.xy);
+    int tile = PROBE_IRRADIANCE_SIDE + 2;
+    ivec2 map = p / tile;
+    int probe = map.y * probeColumns + map.x;
+    sent = vec4(0.0);
+    if (probe >= probeCount.x * probeCount.y * probeCount.z) return;
+    ivec2 inner = foldedTexel(p - map * tile - 1, PROBE_IRRADIANCE_SIDE);
+    vec3 d = directionFromOctahedral((vec2(inner) + 0.5) / float(PROBE_IRRADIANCE_SIDE));
+    for (int i = 0; i < PROBE_HARMONICS; ++i) sent += texelFetch(probeHarmonicsMap, ivec2(i, probe), 0) * shBasis18(i, d);
+    sent = max(sent, vec4(0.0));  // they ring
+    sent.a = min(sent.a, 1.0);
+}

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// What probes know of the scene about them.
+#include "indirect/ProbeGrid.h"
+
+#include "base/Limits.h"
+
+#include <TracedShapes.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace osgEnvLight;
+
+namespace
+{
+
+struct Probed {
+    explicit Probed(const TracedScene& of, int most = 4)
+        : scene(of), bvh(scene), points(placeSurfacePoints(scene, 4096)), grid(scene, bvh, points, most)
+    {
+    }
+    double shareOf(size_t probe, int link) const
+    {
+        double share = 0.0;
+        for (size_t k = 0; k < ProbeGrid::directions().size(); ++k)
+            if (grid.links[probe * ProbeGrid::directions().size() + k] == link) share += double(ProbeGrid::directions()[k].share);
+        return share;
+    }
+
+    TracedScene scene;
+    CasterBvh bvh;
+    std::vector<SurfacePoint> points;
+    ProbeGrid grid;
+};
+
+TracedScene makeRoom()
+{
+    TracedScene room;
+    addBox(room, addSurface(room, false), osg::Vec3f(), osg::Vec3f(4, 4, 3), true);
+    return room;
+}
+
+}  // namespace
+
+TEST(ProbeGrid, DirectionsFillTheSphere)
+{
+    osg::Vec3d mean;
+    double all = 0.0, square = 0.0;
+    for (const ProbeGrid::Direction& d : ProbeGrid::directions()) {
+        all += double(d.share);
+        mean += osg::Vec3d(d.to) * double(d.share);
+        square += double(d.to.z() * d.to.z() * d.share);
+    }
+    EXPECT_NEAR(1.0, all, 1e-6);
+    EXPECT_NEAR(0.0, mean.length(), 1e-6);
+    EXPECT_NEAR(1.0 / 3.0, square, 2e-3);  // of the middle of texels
+}
+
+TEST(ProbeGrid, LinksAreThePointsThatItSees)
+{
+    const Probed room(makeRoom());
+    const auto& directions = ProbeGrid::directions();
+    ASSERT_EQ(4u * 4u * 2u, room.grid.probes());
+    ASSERT_EQ(room.grid.probes() * directions.size(), room.grid.links.size());
+    const float spacing = std::sqrt(2.0f * (16 + 16 + 4 * 12) / 4096.0f);  // both sides of the walls have points
+    for (size_t i = 0; i < room.grid.links.size(); ++i) {
+        ASSERT_GE(room.grid.links[i], 0) << "a closed room has no sky";
+        const ProbeGrid::Place& place = room.grid.places[i / directions.size()];
+        EXPECT_TRUE(place.on);
+        const osg::Vec3f to = directions[i % directions.size()].to;
+        const auto hit = room.bvh.nearest(place.position, to);
+        ASSERT_TRUE(hit);
+        const SurfacePoint& p = room.points[size_t(room.grid.links[i])];
+        EXPECT_LT((place.position + to * hit->distance - p.position).length(), 2.0f * spacing);
+        EXPECT_LT(p.normal * to, 0.0f) << "the side that faces it";
+    }
+}
+
+TEST(ProbeGrid, SeesTheSkyOverAPlane)
+{
+    TracedScene plane;
+    addQuad(plane, addSurface(plane, false), osg::Vec3f(-100, -100, 0), osg::Vec3f(200, 0, 0), osg::Vec3f(0, 200, 0));
+    const Probed probed(plane);
+    for (size_t i = 0; i < probed.grid.probes(); ++i) {
+        EXPECT_NE(0.0f, probed.grid.places[i].position.z()) << "not in it";
+        const osg::Vec3f& p = probed.grid.places[i].position;
+        if (std::max(std::abs(p.x()), std::abs(p.y())) > 60.0f) continue;
+        EXPECT_NEAR(0.5, probed.shareOf(i, ProbeGrid::SKY), 0.1);
+    }
+}
+
+TEST(ProbeGrid, IsOffOrOutsideWhereABodyIs)
+{
+    TracedScene scene;
+    addBox(scene, addSurface(scene, false), osg::Vec3f(-10, -10, -10), osg::Vec3f(10, 10, 10), true);
+    const unsigned body = addSurface(scene, true);
+    addBox(scene, body, osg::Vec3f(-6, -6, -6), osg::Vec3f(6, 6, 6));
+    const Probed probed(scene, 8);
+    int off = 0;
+    for (size_t i = 0; i < probed.grid.probes(); ++i) {
+        const osg::Vec3f& p = probed.grid.places[i].position;
+        const bool within = std::max({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())}) < 6.0f;
+        EXPECT_EQ(!within, probed.grid.places[i].on);
+        if (!within) continue;
+        ++off;
+        EXPECT_GT(probed.shareOf(i, ProbeGrid::BACK), 0.9);
+    }
+    EXPECT_GT(off, 4);
+    EXPECT_LT(off, int(probed.grid.probes()) / 3);
+}
+
+TEST(ProbeGrid, HolesLetTheirShareOfRaysPass)
+{
+    for (const float opacity : {0.2f, 0.7f}) {
+        TracedScene scene;
+        addSphere(scene, addSurface(scene, false, opacity), osg::Vec3f(), 10.0f, 24);
+        const Probed probed(scene, 2);
+        double sky = 0.0;
+        for (size_t i = 0; i < probed.grid.probes(); ++i) sky += probed.shareOf(i, ProbeGrid::SKY);
+        // 4 probes of 384 rays: a standard error of .012 at most.
+        EXPECT_NEAR(1.0 - double(opacity), sky / double(probed.grid.probes()), 0.04);
+    }
+}
+
+TEST(ProbeGrid, DepthsAreTheDistances)
+{
+    const Probed room(makeRoom(), 2);
+    const size_t side = size_t(limits::PROBE_DEPTH_SIDE);
+    for (size_t i = 0; i < room.grid.depths.size(); ++i) {
+        const auto [mean, square] = room.grid.depths[i];
+        ASSERT_GT(mean, 0.0f);
+        EXPECT_GE(square, mean * mean * 0.9999f);
+    }
+    // The middle of an octahedral map looks up.
+    const size_t up = side / 2 * side + side / 2;
+    for (size_t probe = 0; probe < room.grid.probes(); ++probe)
+        EXPECT_NEAR(3.0f - room.grid.places[probe].position.z(), room.grid.depths[probe * side * side + up][0], 0.25f);
+}
+
+TEST(ProbeGrid, IsFinerWhereTheSceneIs)
+{
+    TracedScene scene;
+    const unsigned ground = addSurface(scene, false), balls = addSurface(scene, true);
+    addQuad(scene, ground, osg::Vec3f(-100, -100, 0), osg::Vec3f(200, 0, 0), osg::Vec3f(0, 200, 0));
+    for (int i = 0; i < 4; ++i) addSphere(scene, balls, osg::Vec3f(float(2 * i - 3), 0, 1), 1.0f, 16);
+    const Probed probed(scene, 8);
+    for (const std::vector<float>& planes : probed.grid.planes)
+        for (size_t i = 1; i < planes.size(); ++i) EXPECT_LT(planes[i - 1], planes[i]);
+    const std::vector<float>& x = probed.grid.planes[0];
+    EXPECT_GE(std::count_if(x.begin(), x.end(), [](float v) { return std::abs(v) < 15.0f; }), 4);
+    EXPECT_GE(std::count_if(x.begin(), x.end(), [](float v) { return std::abs(v) > 20.0f; }), 2);
+    EXPECT_EQ(8u, x.size());
+    EXPECT_EQ(4u, probed.grid.planes[2].size());
+}
+
+TEST(ProbeGrid, StopsWhenItIsNoLongerWanted)
+{
+    const TracedScene room = makeRoom();
+    const CasterBvh bvh(room);
+    const std::vector<SurfacePoint> points = placeSurfacePoints(room, 100);
+    const std::atomic<bool> stop{true};
+    EXPECT_EQ(0u, ProbeGrid(room, bvh, points, 8, &stop).probes());
+}

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// What a drawable sends to other surfaces, as one colour.
+#include "surface/SentLightState.h"
+#include "surface/StaticCasters.h"
+
+#include <osg/TexEnv>
+#include <osg/Texture2D>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+using namespace osgEnvLight;
+
+namespace
+{
+
+// sRGB's curve at .5.
+const float half = 0.21404114f;
+
+osg::ref_ptr<osg::Texture2D> makeTexture(const std::vector<osg::Vec4ub>& texels)
+{
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(int(texels.size()), 1, 1, GL_RGBA, GL_UNSIGNED_BYTE);
+    for (unsigned i = 0; i < texels.size(); ++i) std::copy_n(texels[i].ptr(), 4, image->data(i, 0));
+    return new osg::Texture2D(image);
+}
+
+osg::ref_ptr<osg::Material> makeMaterial(const osg::Vec3f& diffuse, const osg::Vec3f& specular = osg::Vec3f())
+{
+    osg::ref_ptr<osg::Material> m = new osg::Material;
+    m->setDiffuse(osg::Material::FRONT_AND_BACK, osg::Vec4(diffuse, 1));
+    m->setSpecular(osg::Material::FRONT_AND_BACK, osg::Vec4(specular, 1));
+    return m;
+}
+
+SentLight sentBy(const osg::StateSet& stateSet, const osg::Geometry& geometry = *osg::ref_ptr<osg::Geometry>(new osg::Geometry),
+                 bool display = true)
+{
+    SentLightState state;
+    state.merge(stateSet);
+    return state.sentLight(geometry, display);
+}
+
+void expectColor(const osg::Vec3f& expected, const osg::Vec3f& c)
+{
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(expected[k], c[k], 2e-3f) << k;
+}
+
+}  // namespace
+
+TEST(SentLight, OfMaterialsIsTheirDiffuseAndSpecular)
+{
+    osg::ref_ptr<osg::StateSet> s = new osg::StateSet;
+    s->setAttribute(makeMaterial(osg::Vec3f(0.5f, 1, 0)));
+    expectColor(osg::Vec3f(half, 0.98f, 0), sentBy(*s).reflectance);
+    expectColor(osg::Vec3f(0.5f, 0.98f, 0), sentBy(*s, *osg::ref_ptr<osg::Geometry>(new osg::Geometry), false).reflectance);
+    s->setAttribute(makeMaterial(osg::Vec3f(0.5f, 0, 0), osg::Vec3f(0.5f, 0, 0)));
+    expectColor(osg::Vec3f(2 * half, 0, 0), sentBy(*s).reflectance);
+    s->setAttribute(makeMaterial(osg::Vec3f(1, 1, 0), osg::Vec3f(1, 1, 1)));
+    expectColor(osg::Vec3f(0.98f, 0.98f, 0.5f), sentBy(*s).reflectance);  // no more than it gets, in its colours
+}
+
+TEST(SentLight, OfOurMaterialsIsThatOfBothLayers)
+{
+    osg::ref_ptr<osg::StateSet> s = new osg::StateSet;
+    Material::setLambert(*s, osg::Vec3f(0.1f, 0.2f, 0.3f));
+    expectColor(osg::Vec3f(0.1f, 0.2f, 0.3f), sentBy(*s).reflectance);
+    Material::setPhong(*s, osg::Vec3f(0.1f, 0.2f, 0.3f), osg::Vec3f(0.5f, 0.5f, 0.5f), 10);
+    expectColor(osg::Vec3f(0.6f, 0.7f, 0.8f), sentBy(*s).reflectance);
+    Material::setCookTorrance(*s, osg::Vec3f(0.9f, 0.6f, 0.3f), 1.0f, 0.2f);
+    expectColor(osg::Vec3f(0.9f, 0.6f, 0.3f), sentBy(*s).reflectance);
+    Material::setCookTorrance(*s, osg::Vec3f(0.5f, 0.5f, 0.5f), 0.0f, 0.2f);
+    expectColor(osg::Vec3f(0.54f, 0.54f, 0.54f), sentBy(*s).reflectance);
+    Material::setStrauss(*s, osg::Vec3f(0.5f, 0.5f, 0.5f), 0.0f, 0.0f);
+    expectColor(osg::Vec3f(0.5f, 0.5f, 0.5f), sentBy(*s).reflectance);
+    Material::setEmission(*s, osg::Vec3f(2, 3, 4));
+    expectColor(osg::Vec3f(2, 3, 4), sentBy(*s).emission);
+}
+
+TEST(SentLight, OfTexturesIsTheirMean)
+{
+    osg::ref_ptr<osg::StateSet> s = new osg::StateSet;
+    s->setAttribute(makeMaterial(osg::Vec3f(0.5f, 0.5f, 0.5f)));
+    s->setTextureAttributeAndModes(0, makeTexture({{255, 0, 0, 255}, {255, 255, 255, 0}}));
+    expectColor(osg::Vec3f(half, half / 2, half / 2), sentBy(*s).reflectance);
+    s->setTextureAttribute(0, new osg::TexEnv(osg::TexEnv::REPLACE));
+    expectColor(osg::Vec3f(0.98f, 0.5f, 0.5f), sentBy(*s).reflectance);
+    s->setTextureAttribute(0, new osg::TexEnv(osg::TexEnv::DECAL));
+    expectColor(osg::Vec3f((half + 1) / 2, (half + 0.5f) / 2, (half + 0.5f) / 2), sentBy(*s).reflectance);
+    s->setTextureAttribute(0, new osg::TexEnv(osg::TexEnv::ADD));
+    expectColor(osg::Vec3f(0.98f, half + 0.5f, half + 0.5f), sentBy(*s).reflectance);
+    osg::ref_ptr<osg::TexEnv> blend = new osg::TexEnv(osg::TexEnv::BLEND);
+    blend->setColor(osg::Vec4(0, 0, 1, 1));
+    s->setTextureAttribute(0, blend);
+    expectColor(osg::Vec3f(0, half / 2, half / 2 + 0.5f), sentBy(*s).reflectance);
+}
+
+TEST(SentLight, OfVertexColoursIsTheirMean)
+{
+    osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+    osg::ref_ptr<osg::Vec4Array> colors = new osg::Vec4Array;
+    colors->push_back(osg::Vec4(0, 1, 0.5f, 1));
+    colors->push_back(osg::Vec4(0, 0, 0.5f, 1));
+    geometry->setColorArray(colors, osg::Array::BIND_PER_VERTEX);
+    expectColor(osg::Vec3f(0, half, half), sentBy(*osg::ref_ptr<osg::StateSet>(new osg::StateSet), *geometry).reflectance);
+    osg::ref_ptr<osg::StateSet> unlit = new osg::StateSet;
+    unlit->setMode(GL_LIGHTING, osg::StateAttribute::OFF);
+    expectColor(osg::Vec3f(0, half, half), sentBy(*unlit, *geometry).emission);
+    expectColor(osg::Vec3f(), sentBy(*unlit, *geometry).reflectance);
+}
+
+TEST(SentLight, OfWhatIsNoColourIsNone)
+{
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    osg::ref_ptr<osg::StateSet> s = new osg::StateSet;
+    Material::setLambert(*s, osg::Vec3f(nan, -1, 7));
+    expectColor(osg::Vec3f(0, 0, 0.98f), sentBy(*s).reflectance);
+}
+
+// Those that stand still: in what each sends on a change is seen without a new scene.
+TEST(StaticCasters, KnowsWhatItsPartsSendOn)
+{
+    std::vector<Caster> casters(3);
+    for (Caster& c : casters) {
+        const osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+        const osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
+        for (const osg::Vec3& v : {osg::Vec3(0, 0, 0), osg::Vec3(1, 0, 0), osg::Vec3(0, 1, 0)}) vertices->push_back(v);
+        geometry->setVertexArray(vertices);
+        geometry->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, 3));
+        c.geometry = geometry;
+        c.sent.reflectance = osg::Vec3f(0.5f, 0.5f, 0.5f);
+    }
+    casters[1].state = new osg::StateSet;  // perforated: drawn apart, but it sends light on
+    StaticCasters still;
+    still.setPlace(osg::Vec3d(), 0.01);
+    EXPECT_EQ(0u, still.generation());
+    still.update(casters, true, 1e-6);
+    const unsigned generation = still.generation(), version = still.sentVersion();
+    EXPECT_GT(generation, 0u);
+    ASSERT_EQ(3u, still.parts().size());
+    EXPECT_EQ(2u, still.drawn().size());
+    EXPECT_EQ(2u, still.triangles() - 1);
+    still.update(casters, false, 1e-6);
+    EXPECT_EQ(version, still.sentVersion());
+    casters[1].sent.reflectance = osg::Vec3f(1, 0, 0);
+    still.update(casters, false, 1e-6);
+    EXPECT_NE(version, still.sentVersion());
+    EXPECT_EQ(generation, still.generation());
+    EXPECT_EQ(osg::Vec3f(1, 0, 0), still.parts()[1].sent.reflectance);
+    // One moves: it leaves, and comes back when it has stood still.
+    casters[2].worldFromModel.makeTranslate(1, 0, 0);
+    still.update(casters, true, 1e-6);
+    EXPECT_EQ(2u, still.parts().size());
+    EXPECT_EQ(3u, still.drawn().size());
+    for (unsigned i = 0; i < StaticCasters::patience; ++i) still.update(casters, false, 1e-6);
+    EXPECT_EQ(3u, still.parts().size());
+    EXPECT_EQ(2u, still.drawn().size());
+    EXPECT_EQ(osg::Vec3f(1, 0, 0), still.drawn()[1].sent.reflectance);
+}

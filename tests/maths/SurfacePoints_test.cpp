@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// Points that stand for the surfaces about them.
+#include "indirect/SurfacePoints.h"
+
+#include <TracedShapes.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+using namespace osgEnvLight;
+
+namespace
+{
+
+int countOf(const std::vector<SurfacePoint>& points, unsigned surface, const osg::Vec3f& normal)
+{
+    return int(std::count_if(points.begin(), points.end(),
+                             [&](const SurfacePoint& p) { return p.surface == surface && p.normal * normal > 0.99f; }));
+}
+
+}  // namespace
+
+TEST(SurfacePoints, AreAsManyAsTheAreaOfEachSide)
+{
+    TracedScene scene;
+    const unsigned sheet = addSurface(scene, false), body = addSurface(scene, true);
+    addQuad(scene, sheet, osg::Vec3f(), osg::Vec3f(3, 0, 0), osg::Vec3f(0, 1, 0));  // two sides of 3
+    addBox(scene, body, osg::Vec3f(10, 0, 0), osg::Vec3f(11, 1, 1));                // six of 1
+    const std::vector<SurfacePoint> points = placeSurfacePoints(scene, 1200);
+    ASSERT_EQ(1200u, points.size());
+    // Systematic: within a point of the share.
+    EXPECT_NEAR(300, countOf(points, sheet, osg::Vec3f(0, 0, 1)), 1);
+    EXPECT_NEAR(300, countOf(points, sheet, osg::Vec3f(0, 0, -1)), 1);
+    EXPECT_NEAR(100, countOf(points, body, osg::Vec3f(1, 0, 0)), 1);
+    EXPECT_NEAR(100, countOf(points, body, osg::Vec3f(0, 0, -1)), 1);
+    for (const SurfacePoint& p : points) {
+        if (p.surface != body) continue;
+        const osg::Vec3f outwards = p.position - osg::Vec3f(10.5f, 0.5f, 0.5f);
+        EXPECT_NEAR(0.5f, outwards * p.normal, 1e-5f) << "a body's points face outwards, on it";
+    }
+}
+
+TEST(SurfacePoints, AreSpreadEvenlyOverLargeTriangles)
+{
+    TracedScene scene;
+    addQuad(scene, addSurface(scene, true), osg::Vec3f(), osg::Vec3f(1, 0, 0), osg::Vec3f(0, 1, 0));
+    std::vector<int> counts(64);
+    for (const SurfacePoint& p : placeSurfacePoints(scene, 4096))
+        ++counts[size_t(std::min(int(p.position.y() * 8), 7) * 8 + std::min(int(p.position.x() * 8), 7))];
+    // 64 each; the map of squares onto a triangle is uneven at its tip.
+    for (const int count : counts) EXPECT_NEAR(64, count, 16);
+}
+
+TEST(SurfacePoints, OfSurfacesWithHolesAreFewer)
+{
+    TracedScene scene;
+    const unsigned solid = addSurface(scene, false), holes = addSurface(scene, false, 0.25f);
+    addQuad(scene, solid, osg::Vec3f(), osg::Vec3f(1, 0, 0), osg::Vec3f(0, 1, 0));
+    addQuad(scene, holes, osg::Vec3f(0, 0, 2), osg::Vec3f(1, 0, 0), osg::Vec3f(0, 1, 0));
+    const std::vector<SurfacePoint> points = placeSurfacePoints(scene, 1000);
+    EXPECT_NEAR(200, countOf(points, holes, osg::Vec3f(0, 0, 1)) + countOf(points, holes, osg::Vec3f(0, 0, -1)), 2);
+}
+
+TEST(SurfacePoints, OfNothingAreNone)
+{
+    TracedScene scene;
+    EXPECT_TRUE(placeSurfacePoints(scene, 100).empty());
+    const unsigned surface = addSurface(scene, false);
+    addTriangle(scene, surface, osg::Vec3f(), osg::Vec3f(1, 1, 1), osg::Vec3f(2, 2, 2));
+    addTriangle(scene, surface, osg::Vec3f(NAN, 0, 0), osg::Vec3f(1, 0, 0), osg::Vec3f(0, 1, 0));
+    EXPECT_TRUE(placeSurfacePoints(scene, 100).empty());
+    addTriangle(scene, surface, osg::Vec3f(), osg::Vec3f(1e-6f, 0, 0), osg::Vec3f(0, 1e-6f, 0));
+    EXPECT_EQ(100u, placeSurfacePoints(scene, 100).size());
+}
+
+TEST(NearestPoint, IsTheNearest)
+{
+    TracedScene scene;
+    addSphere(scene, addSurface(scene, true), osg::Vec3f(1, 2, 3), 2.0f, 24);
+    const std::vector<SurfacePoint> points = placeSurfacePoints(scene, 1000);
+    const NearestPoint nearest(points);
+    for (size_t triangle = 0; triangle < scene.triangles.size(); triangle += 7) {
+        const osg::Vec3f place = (scene.corner(triangle, 0) + scene.corner(triangle, 1) + scene.corner(triangle, 2)) / 3.0f;
+        osg::Vec3f normal = scene.normal(triangle);
+        normal.normalize();
+        float least = 1e9f;
+        for (const SurfacePoint& p : points)
+            if (p.normal * normal >= 0.5f) least = std::min(least, (p.position - place).length());
+        EXPECT_FLOAT_EQ(least, (points[nearest.find(place, normal, 0)].position - place).length());
+    }
+}
+
+// A lamp a hand's breadth in front of a wall is not the wall, nor is the wall's other side.
+TEST(NearestPoint, KeepsSurfacesApart)
+{
+    TracedScene scene;
+    const unsigned wall = addSurface(scene, false), lamp = addSurface(scene, false);
+    addQuad(scene, wall, osg::Vec3f(-2, -2, 0), osg::Vec3f(4, 0, 0), osg::Vec3f(0, 4, 0));
+    addQuad(scene, lamp, osg::Vec3f(-0.5f, -0.5f, 0.02f), osg::Vec3f(1, 0, 0), osg::Vec3f(0, 1, 0));
+    const std::vector<SurfacePoint> points = placeSurfacePoints(scene, 200);
+    const NearestPoint nearest(points);
+    for (float x = -0.4f; x < 0.5f; x += 0.1f)
+        for (const float side : {1.0f, -1.0f}) {
+            const SurfacePoint& p = points[nearest.find(osg::Vec3f(x, 0.1f, 0), osg::Vec3f(0, 0, side), wall)];
+            EXPECT_EQ(wall, p.surface);
+            EXPECT_GT(p.normal.z() * side, 0.9f);
+        }
+    EXPECT_EQ(lamp, points[nearest.find(osg::Vec3f(0, 0, 0.02f), osg::Vec3f(0, 0, 1), lamp)].surface);
+    EXPECT_LT(nearest.find(osg::Vec3f(1e6f, -1e6f, 0), osg::Vec3f(0, 0, 1), wall), points.size());
+}
