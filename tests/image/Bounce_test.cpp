@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Light from surface to surface by the mean of what blocks the map (bounce=mean). How near it comes to full light transport is the image suite's to say.
+// Light from surface to surface by the mean of what blocks the map (bounce=mean). How near it comes to full light transport is
+// the image suite's to say.
 #include <SceneRenderer.h>
 
 #include <osgEnvLight/Material>

@@ -189,6 +189,25 @@ TEST(Probes, BlackSurfacesSendNothingToTheBit)
     EXPECT_EQ(0.0, largestDifference(with, renderer.render(lit)));
 }
 
+// Other counts of lights are another atlas, whose casters are counted from the beginning.
+TEST(Probes, FollowAnAtlasThatIsReplaced)
+{
+    SceneRenderer renderer(64, 64);
+    renderer.lookAt(osg::Vec3d(0, -9, 4), osg::Vec3d(0, -0.5, 0.8));
+    osg::ref_ptr<LitScene> lit = makeProbed();
+    lit->addChild(makeQuad(osg::Vec3d(-3, -4, 0), osg::Vec3d(6, 0, 0), osg::Vec3d(0, 4, 0)));
+    setAlbedo(*lit, 0.8f);
+    renderer.render(lit);
+    lit->getSettings()->atlasLights = 128;
+    lit->addChild(makeBox(osg::Vec3d(-1, -1, 0.01), osg::Vec3d(1, 0.2, 2)));
+    const Picture replaced = renderer.render(lit);
+    osg::ref_ptr<LitScene> fresh = makeProbed();
+    fresh->getSettings()->atlasLights = 128;
+    for (unsigned i = 0; i < 2; ++i) fresh->addChild(lit->getChild(i));
+    setAlbedo(*fresh, 0.8f);
+    EXPECT_LT(largestDifference(renderer.render(fresh), replaced), 0.005);
+}
+
 // A wall colours the floor, and another colour of it does at once.
 TEST(Probes, FollowAColourThatChanges)
 {
@@ -269,6 +288,9 @@ TEST(Probes, ThePlanSaysWhyNot)
     EXPECT_TRUE(lit->plan().runs("indirect"));
     EXPECT_EQ("probes know it", lit->plan().reason("bounce"));
     EXPECT_NE(std::string::npos, lit->plan().reason("links").find("4096 points, 8 x ")) << lit->plan().reason("links");
+    lit->getSettings()->bounceProbes = 4;
+    renderer.render(lit);
+    EXPECT_NE(std::string::npos, lit->plan().reason("links").find("points, 4 x ")) << lit->plan().reason("links");
     const size_t with = lit->textureBytes();
     lit->getSettings()->bounce = Settings::BOUNCE_MEAN;
     renderer.render(lit);

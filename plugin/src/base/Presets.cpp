@@ -9,14 +9,19 @@ const std::vector<Settings::Preset>& Settings::presets()
     static const std::vector<Preset> all = {
         {"low",
          "a slow machine: a third to half of the time is saved, the error a third greater",
-         {{"atlasLights", "64"}, {"nearRadius", "0"}, {"filterCells", "1"}, {"specularSamples", "8"}, {"sunShadowSize", "512"}, {"bounce", "mean"}}},
+         {{"atlasLights", "64"},
+          {"nearRadius", "0"},
+          {"filterCells", "1"},
+          {"specularSamples", "8"},
+          {"sunShadowSize", "512"},
+          {"bounce", "mean"}}},
         {"default", "the knee of error against time", {}},
         {"high",
          "stills and fast machines: sharper shadows, cleaner reflections",
-         {{"atlasSize", "256"}, {"specularSamples", "64"}, {"sunShadowSize", "2048"}}},
+         {{"atlasSize", "256"}, {"specularSamples", "64"}, {"sunShadowSize", "2048"}, {"bounceProbes", "12"}}},
         {"interior",
-         "rooms, into which little of the map shines: more of its lights",
-         {{"atlasLights", "512"}, {"atlasSize", "256"}}},
+         "rooms, into which little of the map shines: more of its lights, more probes of the light between walls",
+         {{"atlasLights", "512"}, {"atlasSize", "256"}, {"bounceProbes", "12"}}},
     };
     return all;
 }

@@ -49,8 +49,9 @@ void LinksPass::update(FrameContext& c)
     if (_lost.exchange(false)) _light.fresh = true;
     const StaticCasters& casters = c.skyMaps->still();
     if (const osg::ref_ptr<TransportScene> made = _worker.take()) accept(made);
-    if (casters.generation() != _asked) makeScene(c, casters, c.skyMaps->origin());
-    if (_light.scene && _shown == casters.generation() && _sentVersion != casters.sentVersion()) {
+    const Wanted wanted{c.skyMaps, casters.generation(), c.settings.bounceProbes};
+    if (!(wanted == _wanted)) makeScene(c, wanted);
+    if (_isShown && _sentVersion != casters.sentVersion()) {
         _sentVersion = casters.sentVersion();
         showSurfaces(casters.parts());
     }
@@ -62,11 +63,13 @@ void LinksPass::update(FrameContext& c)
     if (_worker.busy() || (c.indirect && _light.settles())) ++c.waitingBounces;
 }
 
-void LinksPass::makeScene(const FrameContext& c, const StaticCasters& casters, const osg::Vec3d& origin)
+void LinksPass::makeScene(const FrameContext& c, const Wanted& wanted)
 {
-    _asked = casters.generation();
-    _askedParts = casters.parts();
-    const auto make = [parts = _askedParts, origin, probes = c.settings.bounceProbes](const std::atomic<bool>* stop) {
+    _wanted = wanted;
+    _wantedParts = c.skyMaps->still().parts();
+    _isShown = false;
+    const auto make = [parts = _wantedParts, origin = c.skyMaps->origin(),
+                       probes = wanted.probes](const std::atomic<bool>* stop) {
         return osg::ref_ptr<TransportScene>(new TransportScene(tracedScene(parts), origin, probes, stop));
     };
     if (c.settings.regeneration == Settings::IMMEDIATE)
@@ -78,10 +81,10 @@ void LinksPass::makeScene(const FrameContext& c, const StaticCasters& casters, c
 void LinksPass::accept(const osg::ref_ptr<TransportScene>& scene)
 {
     _light.scene = scene;
-    _shown = _asked;
+    _isShown = true;
     _sentVersion = 0;
     if (scene->empty()) return;
-    showSurfaces(_askedParts);
+    showSurfaces(_wantedParts);
     const int probes = scene->count[0] * scene->count[1] * scene->count[2];
     if (probes == _light.targets.probes) return;  // what the probes saw in the former scene is a beginning in this one
     retireTargets();
@@ -116,8 +119,10 @@ void LinksPass::dismiss(FrameContext& c)
     _worker.discard();
     retireTargets();
     _light = {};
-    _asked = _shown = _frames = 0;
-    _askedParts.clear();
+    _wanted = {};
+    _wantedParts.clear();
+    _isShown = false;
+    _frames = 0;
 }
 
 size_t LinksPass::bytes() const
@@ -166,25 +171,22 @@ Requirement PointsPass::require(const FrameContext& c) const
     return requireScene(c).because("light of the map and its suns at surface points, where it changes");
 }
 
-// A new scene, another map or another colour is a jump, and all points show it in this frame. What moves steadily reaches them in
-// turns.
+// All of it at once where nothing was before. A change reaches the points in turns, and goes on between them a bounce or two a
+// frame: it may be one of many, as of a map that is a video.
 void PointsPass::update(FrameContext& c)
 {
     IndirectLight& light = *c.indirect;
     const Key key = keyOf(c);
-    const auto steady = [](const Key& k) {
-        return std::tie(k.scene, k.textures, k.sky, k.reflectances, k.mapFromWorld, k.radianceScale);
-    };
-    const auto moving = [](const Key& k) { return std::tie(k.suns, k.skyVersion, k.sunsVersion); };
-    const bool immediate = c.settings.regeneration == Settings::IMMEDIATE;
-    const bool jumps = light.fresh || steady(key) != steady(_key);
-    const bool moves = jumps || moving(key) != moving(_key);
+    const bool changed = light.fresh || !(key == _key);
+    const bool atOnce = light.fresh || c.settings.regeneration == Settings::IMMEDIATE;
     _key = key;
-    if (moves) light.turns = jumps || immediate ? 1 : lightTurns;
-    if (moves) light.laterBounces = bouncesAfterChange;
-    light.rows = light.turns > 0 ? (jumps || immediate ? 1 : lightTurns) : 0;
+    if (changed) {
+        light.turns = atOnce ? 1 : lightTurns;
+        light.laterBounces = bouncesAfterChange;
+    }
+    light.rows = light.turns > 0 ? (atOnce ? 1 : lightTurns) : 0;
     if (light.turns > 0) --light.turns;
-    light.bounces = jumps || immediate ? light.laterBounces : std::min(light.laterBounces, bouncesPerFrame);
+    light.bounces = atOnce ? light.laterBounces : std::min(light.laterBounces, bouncesPerFrame);
     light.laterBounces -= light.bounces;
     light.turn = c.number;
 }

@@ -7,6 +7,8 @@
 #include "indirect/BounceDraw.h"
 #include "indirect/TransportWorker.h"
 
+#include <osg/observer_ptr>
+
 #include <atomic>
 
 namespace osgEnvLight
@@ -28,7 +30,14 @@ class OSGENVLIGHT_EXPORT LinksPass : public RenderPass
     void releaseGLObjects(osg::State* state) const override;
 
   private:
-    void makeScene(const FrameContext& context, const StaticCasters& casters, const osg::Vec3d& origin);
+    /** What a scene is made from. */
+    struct Wanted {
+        osg::observer_ptr<const ShadowAtlas> atlas;  // whose casters it shows
+        unsigned generation = 0;                     // of these
+        int probes = 0;
+        bool operator==(const Wanted& o) const { return atlas == o.atlas && generation == o.generation && probes == o.probes; }
+    };
+    void makeScene(const FrameContext& context, const Wanted& wanted);
     void accept(const osg::ref_ptr<TransportScene>& scene);
     void showSurfaces(const StaticCasters::Parts& parts);
     void retireTargets();
@@ -36,9 +45,9 @@ class OSGENVLIGHT_EXPORT LinksPass : public RenderPass
     const osg::ref_ptr<RetiredObjects> _retired;
     TransportWorker _worker;
     IndirectLight _light;
-    unsigned _asked = 0;  // generation of the casters that a scene was last asked for; 0: none
-    StaticCasters::Parts _askedParts;
-    unsigned _shown = 0;        // generation of those in the scene
+    Wanted _wanted;  // that a scene was last asked for
+    StaticCasters::Parts _wantedParts;
+    bool _isShown = false;      // the scene is of these
     unsigned _sentVersion = 0;  // of the light that they send on
     unsigned _frames = 0;       // without a scene
     mutable std::atomic<bool> _lost{false};
@@ -61,6 +70,13 @@ class OSGENVLIGHT_EXPORT PointsPass : public RenderPass
         unsigned skyVersion = 0, sunsVersion = 0;
         osg::Matrixd mapFromWorld;
         double radianceScale = 0.0;
+
+        bool operator==(const Key& o) const
+        {
+            return scene == o.scene && textures == o.textures && sky == o.sky && suns == o.suns &&
+                   reflectances == o.reflectances && skyVersion == o.skyVersion && sunsVersion == o.sunsVersion &&
+                   mapFromWorld == o.mapFromWorld && radianceScale == o.radianceScale;
+        }
     };
     static Key keyOf(const FrameContext& context);
 
