@@ -28,6 +28,7 @@ class Casters : public testing::Test
         s.visibility = Settings::VISIBILITY_ATLAS;
         s.atlasLights = 128;
         s.regeneration = Settings::IMMEDIATE;
+        s.bounce = Settings::BOUNCE_MEAN;  // shadows alone
         lit->addChild(makeBox(osg::Vec3d(-3, -3, -0.2), osg::Vec3d(3, 3, 0)));
         renderer.lookAt(osg::Vec3d(0, -1, 1), osg::Vec3d(), osg::Vec3d(0, 0, 1), 60.0);
     }

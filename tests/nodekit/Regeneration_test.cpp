@@ -27,6 +27,7 @@ void fill(osg::Image& map, float radiance)
 osg::ref_ptr<LitScene> whiteSphere(osg::Image* map)
 {
     osg::ref_ptr<LitScene> lit = makeLit(map);
+    lit->getSettings()->bounce = Settings::BOUNCE_MEAN;
     lit->addChild(makeSphere(osg::Vec3d(), 1.0));
     osgEnvLight::Material::setLambert(*lit->getChild(0)->getOrCreateStateSet(), osg::Vec3f(1, 1, 1));
     return lit;

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 using osgEnvLight::LitScene;
+using osgEnvLight::Settings;
 
 namespace
 {
@@ -40,6 +41,7 @@ osg::ref_ptr<LitScene> makeScene()
 {
     osg::ref_ptr<LitScene> lit = new LitScene(makeMap(64, 32, sixDirectionColor));
     lit->getSettings()->atlasLights = 64;
+    lit->getSettings()->regeneration = Settings::IMMEDIATE;  // or a thread says when probes join
     lit->addChild(makeSphere(osg::Vec3d(), 1.0, 64));
     osg::ref_ptr<osg::ShapeDrawable> dynamic = new osg::ShapeDrawable(new osg::Sphere(osg::Vec3(1.5f, 0, 0), 0.4f));
     dynamic->setDataVariance(osg::Object::DYNAMIC);
@@ -155,6 +157,8 @@ TEST_F(Views, ANodeMayDieWhileItsLastFrameIsDrawn)
         for (int i = 0; i < 40; ++i) {
             root->removeChildren(0, root->getNumChildren());  // a draw thread may still be at the former one's stages
             root->addChild(makeScene());
+            static_cast<LitScene&>(*root->getChild(0)).getSettings()->regeneration =
+                Settings::BACKGROUND;  // and so may its thread
             viewer.frame(0.1 * i);
         }
         viewer.stopThreading();

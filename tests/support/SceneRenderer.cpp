@@ -221,6 +221,7 @@ osg::ref_ptr<osgEnvLight::LitScene> makeLit(osg::Image* map)
 {
     osg::ref_ptr<osgEnvLight::LitScene> lit = new osgEnvLight::LitScene(map);
     lit->getSettings()->output = osgEnvLight::Settings::LINEAR;
+    lit->getSettings()->bounce = osgEnvLight::Settings::BOUNCE_MEAN;
     return lit;
 }
 

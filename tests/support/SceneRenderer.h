@@ -97,7 +97,7 @@ osg::ref_ptr<osg::Geode> makeQuad(const osg::Vec3d& corner, const osg::Vec3d& a,
 /** Axis-aligned box between two corners. */
 osg::ref_ptr<osg::Geode> makeBox(const osg::Vec3d& low, const osg::Vec3d& high);
 
-/** A LitScene with linear output and that map. */
+/** A LitScene with linear output and that map; light between its surfaces by the mean, which needs no thread. */
 osg::ref_ptr<osgEnvLight::LitScene> makeLit(osg::Image* map);
 
 /** Catches osg::notify for its life time. */

@@ -14,7 +14,7 @@ std::vector<SettingsProperty> BounceSettings::properties()
                "by the share of directions that a pixel does not see of the map; or light that goes on between points of all "
                "surfaces, "
                "seen by probes about each pixel"),
-        number("bounceProbes", &S::bounceProbes, 2, 32, "probes",
+        number("bounceProbes", &S::bounceProbes, 4, 32, "probes",
                "of bounce=probes: along the longer sides of the scene, half as many along the shortest"),
     };
 }

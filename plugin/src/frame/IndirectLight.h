@@ -22,7 +22,7 @@ struct IndirectLight {
     double share = 0.0;         // of the picture's indirect light; the rest is the mean radiance of what blocks light
 
     /** Further frames would change the picture by themselves. */
-    bool settles() const { return turns > 0 || laterBounces > 0 || share < 1.0; }
+    bool settles() const { return fresh || turns > 0 || laterBounces > 0 || share < 1.0; }
 };
 
 }  // namespace osgEnvLight

@@ -147,7 +147,7 @@ void DeferredTechnique::light(FrameContext& c, LitView& vd, bool needsCarrier)
     c.decisions = Decisions::make(c.facts, c.settings);
     vd.graph.run(c);
     vd.forgetUnused(c.frame);
-    _waitingMaps = c.waitingMaps;
+    _waiting = c.waitingMaps + c.waitingBounces;
     _drawnSunMaps = c.drawnSunMaps;
     const bool lights = c.decisions.light.needed && c.facts.surfaces.deferred > 0;
     vd.plan = {vd.graph.report(), c.facts.surfaces, lights ? c.facts.carrier.lights : 0, c.decisions.occlusionLights,

@@ -45,7 +45,7 @@ class OSGENVLIGHT_EXPORT DeferredTechnique : public ContextWatch::Listener
     Average average() const;
     size_t bytes() const;
     /** True while a change of the map or the scene is being made into light and shadow. */
-    bool regenerating() const { return _regenerator.busy() || _waitingMaps > 0; }
+    bool regenerating() const { return _regenerator.busy() || _waiting > 0; }
 
     /** Whether further frames would change a view's picture by themselves. One that is no longer culled soon does not count. */
     bool unsettled() const;
@@ -110,7 +110,7 @@ class OSGENVLIGHT_EXPORT DeferredTechnique : public ContextWatch::Listener
     unsigned _stillFrames = 0;                 // since the map last changed
     osg::ref_ptr<const osg::Image> _repaired;  // whose repairs were reported
     MapRegenerator _regenerator;
-    std::atomic<unsigned> _waitingMaps{0};  // of the last view's atlas
+    std::atomic<unsigned> _waiting{0};  // for frames: shadow maps and bounces of the last view
     std::atomic<unsigned> _drawnSunMaps{0};
     osg::ref_ptr<osg::Texture2D> _albedoTable;
     osg::ref_ptr<const Settings> _settings;  // the last valid ones

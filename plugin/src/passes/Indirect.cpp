@@ -18,7 +18,7 @@ namespace
 
 const unsigned on = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
 const unsigned bouncesAfterChange = 64;  // in a closed room of albedo .9 a thousandth of the light is left out
-const unsigned bouncesPerFrame = 2;
+const unsigned bouncesPerFrame = 4;
 const unsigned lightTurns = 8;        // frames in which all points are lit, while light changes steadily
 const double shareStep = 1.0 / 16.0;  // by which the probes' answer takes the place of the mean in a frame
 
@@ -171,14 +171,15 @@ Requirement PointsPass::require(const FrameContext& c) const
     return requireScene(c).because("light of the map and its suns at surface points, where it changes");
 }
 
-// All of it at once where nothing was before. A change reaches the points in turns, and goes on between them a bounce or two a
-// frame: it may be one of many, as of a map that is a video.
+// A change reaches the points in turns, and goes on between them some bounces a frame: it may be one of many, as of a map that is
+// a video, and no frame waits for the last of them.
 void PointsPass::update(FrameContext& c)
 {
     IndirectLight& light = *c.indirect;
     const Key key = keyOf(c);
     const bool changed = light.fresh || !(key == _key);
-    const bool atOnce = light.fresh || c.settings.regeneration == Settings::IMMEDIATE;
+    const bool immediate = c.settings.regeneration == Settings::IMMEDIATE;
+    const bool atOnce = light.fresh || immediate;
     _key = key;
     if (changed) {
         light.turns = atOnce ? 1 : lightTurns;
@@ -186,9 +187,10 @@ void PointsPass::update(FrameContext& c)
     }
     light.rows = light.turns > 0 ? (atOnce ? 1 : lightTurns) : 0;
     if (light.turns > 0) --light.turns;
-    light.bounces = atOnce ? light.laterBounces : std::min(light.laterBounces, bouncesPerFrame);
+    light.bounces = immediate ? light.laterBounces : std::min(light.laterBounces, bouncesPerFrame);
     light.laterBounces -= light.bounces;
     light.turn = c.number;
+    if (light.settles()) ++c.waitingBounces;
 }
 
 void PointsPass::setup(PassBuilder& b, FrameContext& c)
