@@ -113,8 +113,8 @@ SentAbout sentAbout(ProbeCage cage, vec3 d)
     return SentAbout(sum.rgb / max(max(sum.a, 0.05 * weights), 1e-20), sum.a / max(weights, 1e-20));
 }
 
-// Over what a surface receives from others, times its normal's irradiance by a radiance of 1: by the share of directions that it does not
-// see of the map, however the probes see that.
+// The radiance that a white surface sends on of what others send to it. hidden: the share of directions in which it does not see the map.
+// That decides how much it is; the probes, which lie beside the surface, say of what colour.
 vec3 receivedFrom(SentAbout sent, float hidden)
 {
     return min(4.0 * max(sent.share, 0.05), hidden) * sent.radiance;

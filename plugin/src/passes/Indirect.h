@@ -29,6 +29,9 @@ class OSGENVLIGHT_EXPORT LinksPass : public RenderPass
     void resizeGLObjectBuffers(unsigned maximum) override;
     void releaseGLObjects(osg::State* state) const override;
 
+  protected:
+    ~LinksPass() override { retireTargets(); }
+
   private:
     /** What a scene is made from. */
     struct Wanted {
