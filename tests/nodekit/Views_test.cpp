@@ -84,7 +84,8 @@ class Views : public testing::Test
 osg::ref_ptr<osg::Image> run(osgViewer::ViewerBase::ThreadingModel model, bool twoParents, bool resize, int frames = 40)
 {
     osg::ref_ptr<LitScene> lit = makeScene();
-    lit->getSettings()->bounce = Settings::BOUNCE_MEAN;  // all bounces anew in each of these frames would take hours
+    lit->getSettings()->bounce = Settings::BOUNCE_MEAN;
+    lit->getSettings()->regeneration = Settings::BACKGROUND;  // all maps anew in each of these frames would take hours
     osg::ref_ptr<osg::Group> root = new osg::Group;
     root->addChild(lit);
     if (twoParents) {
