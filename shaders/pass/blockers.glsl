@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the surfaces send that block the map's light: as the probes know it [pass/indirect.frag] or, without them, as the picture's mean.
+// The light of the surfaces that block the map: the probes know it [pass/indirect.frag]; without them it is the picture's mean.
 #ifndef BLOCKERS_GLSL
 #define BLOCKERS_GLSL
 #pragma import_defines(HAS_PROBES, HAS_BOUNCE)
@@ -15,7 +15,7 @@ uniform sampler2D mirroredMap;
 #endif
 
 #ifdef HAS_BLOCKERS
-// Radiance that a white Lambert surface sends on of it. hidden: share of directions that are blocked; scale: of what the probes know.
+// The radiance that a white Lambert surface sends on of it. hidden: the share of directions that are blocked. scale: the probes' unit.
 vec3 fromBlockers(ivec2 p, vec3 n, float hidden, float scale)
 {
 #ifdef HAS_PROBES

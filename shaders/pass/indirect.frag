@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// What a pixel's surface receives from others, as the radiance that a white one sends on of it; and, where it has a lobe, what others
-// send from about the mirror direction. In units of the map's mean.
+// The light that a pixel gets from other surfaces, as the radiance that a white surface would send on of it. Where the pixel has a lobe,
+// also their radiance about the mirror direction. In units of the map's mean.
 #pragma import_defines(HAS_LOBES, HAS_BOUNCE)
 
 #include "pass/gbuffer.glsl"

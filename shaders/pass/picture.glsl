@@ -2,7 +2,7 @@
 // L = L_e + S + D - O [seed 000, eq. 3] and the bounce, from what the passes left, and the map behind the scene.
 #ifndef PICTURE_GLSL
 #define PICTURE_GLSL
-#pragma import_defines(BACKGROUND_BLUR, HAS_SPECULAR,  HAS_LOBES, HAS_REFLECTED, BACKGROUND)
+#pragma import_defines(BACKGROUND_BLUR, HAS_SPECULAR, HAS_LOBES, HAS_REFLECTED, BACKGROUND)
 
 #include "lib/constants.glsl"
 #include "lib/latlong.glsl"

@@ -1,8 +1,8 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// What surface points send on of the light that they receive, from the map and, by the probes as the frame before left them, from each
-// other: a bounce more in each frame [indirect.md 4]. It can't grow without end: of what a point receives from others it takes no
-// more than the share of directions that it does not see of the map.
+// Surface points send on a share of the light that they receive: from the map, and from each other. The probes know the latter as they
+// were a bounce ago, so each draw adds a bounce [indirect.md 4]. The light can't grow without end: of the others' light a point takes no
+// more than the share of directions in which it does not see the map.
 #pragma import_defines(HAS_EMISSION, FIRST_BOUNCE)
 
 #include "pass/hostcolor.glsl"

@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// The light of the map and of the suns at surface points, of which each texel is one [indirect2.md 6]: irradiance over pi, in units of the
-// map's mean, and the share of the map's directions that the point sees.
+// The map and the suns light the surface points, of which each texel is one [indirect2.md 6]. The colour is the irradiance over pi, in units
+// of the map's mean; alpha is the share of the map's directions that the point sees.
 #pragma import_defines(HAS_SUN_MAPS)
 
 #include "lib/constants.glsl"

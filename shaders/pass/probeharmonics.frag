@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// What probes see of the surfaces, by their links to surface points, as spherical harmonics that a cosine has been folded with: one row a
-// probe, one texel a coefficient of radiance and, as alpha, of where there is a surface.
+// Each probe adds up the light of the surface points that it sees, as spherical harmonics. A cosine is folded in. One row is a probe, one
+// texel a coefficient: of radiance, and as alpha of where there is a surface.
 #include "lib/limits.glsl"
 
 uniform sampler2D probeLinkMap;   // one row a probe: the number of the point that it sees in a direction; -1 the sky, -2 the inside of a body

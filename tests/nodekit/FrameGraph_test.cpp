@@ -150,6 +150,7 @@ osg::ref_ptr<WithPasses> makeScene()
     osg::ref_ptr<WithPasses> lit = new WithPasses(constantMap(1.0).get());
     Settings& s = *lit->getSettings();
     s.output = Settings::LINEAR;
+    s.regeneration = Settings::IMMEDIATE;  // or a thread says when probes take memory
     s.atlasLights = 16;
     s.atlasSize = 64;
     lit->addChild(makeSphere(osg::Vec3d(), 1.0, 32));

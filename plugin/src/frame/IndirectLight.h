@@ -16,13 +16,12 @@ struct IndirectLight {
     bool fresh = true;          // nothing has been drawn into the targets
     unsigned turns = 0;         // frames in which points will be lit after this one
     unsigned rows = 0;          // of every so many rows of points one is lit in this frame; 0: none is due
-    unsigned turn = 0;          // which one, modulo rows
     unsigned bounces = 0;       // that are drawn in this frame
     unsigned laterBounces = 0;  // and after it
     double share = 0.0;         // of the picture's indirect light; the rest is the mean radiance of what blocks light
 
     /** Further frames would change the picture by themselves. */
-    bool settles() const { return fresh || turns > 0 || laterBounces > 0 || share < 1.0; }
+    bool isSettling() const { return fresh || turns > 0 || laterBounces > 0 || share < 1.0; }
 };
 
 }  // namespace osgEnvLight

@@ -21,4 +21,12 @@ osg::ref_ptr<osg::Texture2D> targetTexture(int width, int height, GLint internal
     return texture;
 }
 
+osg::ref_ptr<osg::FrameBufferObject> frameBufferOf(osg::Texture2D* color, osg::Texture2D* depth)
+{
+    osg::ref_ptr<osg::FrameBufferObject> target = new osg::FrameBufferObject;
+    target->setAttachment(osg::Camera::COLOR_BUFFER0, osg::FrameBufferAttachment(color));
+    if (depth) target->setAttachment(osg::Camera::DEPTH_BUFFER, osg::FrameBufferAttachment(depth));
+    return target;
+}
+
 }  // namespace osgEnvLight

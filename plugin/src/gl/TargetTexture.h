@@ -3,6 +3,7 @@
 
 #include <osgEnvLight/Export>
 
+#include <osg/FrameBufferObject>
 #include <osg/Texture2D>
 
 namespace osgEnvLight
@@ -10,5 +11,8 @@ namespace osgEnvLight
 
 /** A texture of exact texels, to draw into or to look up: NEAREST, clamped to its edge, not resized to powers of two. */
 OSGENVLIGHT_EXPORT osg::ref_ptr<osg::Texture2D> targetTexture(int width, int height, GLint internalFormat);
+
+/** A frame buffer of these; depth may be null. */
+OSGENVLIGHT_EXPORT osg::ref_ptr<osg::FrameBufferObject> frameBufferOf(osg::Texture2D* color, osg::Texture2D* depth = nullptr);
 
 }  // namespace osgEnvLight

@@ -8,18 +8,6 @@
 namespace osgEnvLight
 {
 
-namespace
-{
-
-osg::ref_ptr<osg::FrameBufferObject> targetOf(osg::Texture2D* texture)
-{
-    osg::ref_ptr<osg::FrameBufferObject> target = new osg::FrameBufferObject;
-    target->setAttachment(osg::Camera::COLOR_BUFFER0, osg::FrameBufferAttachment(texture));
-    return target;
-}
-
-}  // namespace
-
 TransportTargets::TransportTargets(int columnCount, int probeCount)
     : columns(columnCount),
       probes(probeCount),
@@ -28,9 +16,9 @@ TransportTargets::TransportTargets(int columnCount, int probeCount)
       probeHarmonics(targetTexture(limits::PROBE_HARMONICS, probes, GL_RGBA32F_ARB)),
       probeIrradiance(targetTexture(columns * (limits::PROBE_IRRADIANCE_SIDE + 2), columns * (limits::PROBE_IRRADIANCE_SIDE + 2),
                                     GL_RGBA32F_ARB)),
-      radianceTarget(targetOf(pointRadiance)),
-      harmonicsTarget(targetOf(probeHarmonics)),
-      irradianceTarget(targetOf(probeIrradiance))
+      radianceTarget(frameBufferOf(pointRadiance)),
+      harmonicsTarget(frameBufferOf(probeHarmonics)),
+      irradianceTarget(frameBufferOf(probeIrradiance))
 {
     probeIrradiance->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR);
     probeIrradiance->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);

@@ -60,7 +60,7 @@ void LinksPass::update(FrameContext& c)
     const bool first = _frames <= 1 || c.settings.regeneration == Settings::IMMEDIATE;
     if (_light.scene) _light.share = first ? 1.0 : std::min(_light.share + shareStep, 1.0);
     c.indirect = _light.scene && !_light.scene->empty() ? &_light : nullptr;
-    if (_worker.busy() || (c.indirect && _light.settles())) ++c.waitingBounces;
+    if (_worker.busy() || (c.indirect && _light.isSettling())) ++c.waitingBounces;
 }
 
 void LinksPass::makeScene(const FrameContext& c, const Wanted& wanted)
@@ -189,8 +189,7 @@ void PointsPass::update(FrameContext& c)
     if (light.turns > 0) --light.turns;
     light.bounces = immediate ? light.laterBounces : std::min(light.laterBounces, bouncesPerFrame);
     light.laterBounces -= light.bounces;
-    light.turn = c.number;
-    if (light.settles()) ++c.waitingBounces;
+    if (light.isSettling()) ++c.waitingBounces;
 }
 
 void PointsPass::setup(PassBuilder& b, FrameContext& c)
@@ -208,7 +207,7 @@ void PointsPass::setup(PassBuilder& b, FrameContext& c)
         inSunMaps = light.scene->origin - c.sunMaps->targets().origin;
     }
     b.frameUniforms(&c.frame.pointState(light.scene->origin - c.skyMaps->origin(), inSunMaps, int(light.rows),
-                                        int(light.turn % light.rows), 0.5 * c.skyMaps->texel()));
+                                        int(c.number % light.rows), 0.5 * c.skyMaps->texel()));
     b.write(b.import("point light", light.targets.pointLight.get()));
     b.drawAlways();
 }
@@ -249,7 +248,6 @@ BounceDraw::States BouncesPass::statesOf(PassBuilder& b, FrameContext& c) const
         s.setAttribute(c.shaders.program("pass/fullscreen.vert", shader), on);
         s.setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0, 1, false), osg::StateAttribute::OFF);
         for (unsigned unit = 0; unit < samplers.size(); ++unit) StateSets::bind(s, unit, samplers[unit]);
-        for (const auto& [name, uniform] : scene.uniforms->getUniformList()) s.addUniform(uniform.first);
         return osg::ref_ptr<osg::StateSet>(&s);
     };
     Samplers points = {{"pointPlaceMap", scene.pointPlaces},
@@ -262,7 +260,7 @@ BounceDraw::States BouncesPass::statesOf(PassBuilder& b, FrameContext& c) const
         points.push_back({"pointEmissionMap", light.emissions});
     }
     BounceDraw::States states;
-    states.uniforms = {c.frame.uniforms, &c.frame.settingsState(SurfaceSettings::properties, c.settings)};
+    states.uniforms = {c.frame.uniforms, &c.frame.settingsState(SurfaceSettings::properties, c.settings), scene.uniforms};
     if (light.fresh) {
         defines.push_back("FIRST_BOUNCE");
         states.first = state("pass/pointradiance.frag", defines, points);

@@ -6,19 +6,6 @@
 namespace osgEnvLight
 {
 
-namespace
-{
-
-osg::ref_ptr<osg::FrameBufferObject> makeTarget(osg::Texture2D* color, osg::Texture2D* depth)
-{
-    osg::ref_ptr<osg::FrameBufferObject> target = new osg::FrameBufferObject;
-    target->setAttachment(osg::Camera::COLOR_BUFFER0, osg::FrameBufferAttachment(color));
-    if (depth) target->setAttachment(osg::Camera::DEPTH_BUFFER, osg::FrameBufferAttachment(depth));
-    return target;
-}
-
-}  // namespace
-
 ShadowTargets::ShadowTargets(unsigned mapSize, unsigned columnCount, unsigned rows, unsigned batchSize, GLint mapFormat,
                              GLint slopeFormat)
     : size(mapSize),
@@ -28,9 +15,9 @@ ShadowTargets::ShadowTargets(unsigned mapSize, unsigned columnCount, unsigned ro
       firstDepth(targetTexture(int(batch * size), int(size), GL_DEPTH_COMPONENT24)),
       firstSlope(targetTexture(int(batch * size), int(size), slopeFormat)),
       secondDepth(targetTexture(int(batch * size), int(size), GL_DEPTH_COMPONENT24)),
-      maps(makeTarget(texture.get(), nullptr)),
-      first(makeTarget(firstSlope.get(), firstDepth.get())),
-      second(makeTarget(firstSlope.get(), secondDepth.get()))
+      maps(frameBufferOf(texture.get())),
+      first(frameBufferOf(firstSlope.get(), firstDepth.get())),
+      second(frameBufferOf(firstSlope.get(), secondDepth.get()))
 {
 }
 

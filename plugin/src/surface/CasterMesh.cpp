@@ -107,8 +107,8 @@ Mesh merged(const Mesh& mesh, double cell)
     for (size_t i = 0; i < sums.size(); ++i) result.positions.push_back(osg::Vec3f(sums[i] / double(counts[i])));
     for (const Triangle& t : mesh.triangles) {
         Triangle m = {index[t[0]], index[t[1]], index[t[2]]};
-        std::rotate(m.begin(), std::min_element(m.begin(), m.end()),
-                    m.end());  // alike if it is there twice, and still facing the same way
+        // The least number first: alike if it is there twice, and it still faces the same way.
+        std::rotate(m.begin(), std::min_element(m.begin(), m.end()), m.end());
         if (m[0] != m[1] && m[1] != m[2] && m[2] != m[0]) result.triangles.push_back(m);
     }
     std::sort(result.triangles.begin(), result.triangles.end());

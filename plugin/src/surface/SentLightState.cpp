@@ -40,12 +40,8 @@ osg::Vec3f mixed(const osg::Vec3f& a, const osg::Vec3f& b, float share)
     return a * (1.0f - share) + b * share;
 }
 
-void read(const osg::StateSet& s, const char* name, osg::Vec3f& value)
-{
-    if (const osg::Uniform* uniform = s.getUniform(name)) uniform->get(value);
-}
-
-void read(const osg::StateSet& s, const char* name, float& value)
+template <class T>
+void read(const osg::StateSet& s, const char* name, T& value)
 {
     if (const osg::Uniform* uniform = s.getUniform(name)) uniform->get(value);
 }
