@@ -46,19 +46,59 @@ float riseToCentre(vec3 n, vec2 xy)
     return -dot(vec2(n.x, n.y), floor(xy) + 0.5 - xy) / max(n.z, 1e-20);
 }
 
+// Direction as a number in [0,1): the way round a square on its tip.
+float turnOf(vec2 d)
+{
+    float x = d.x / max(abs(d.x) + abs(d.y), 1e-20);
+    return d.y >= 0.0 ? 0.25 - 0.25 * x : fract(0.75 + 0.25 * x);
+}
+
+// What a texel keeps of its first surface: how steep it rises and which way, a byte each, as one number of [0,1]. Steepness by its
+// logarithm, sixteen steps an octave, from the map's height in a texel down; 0 for level. slope: heights per texel.
+float packedRise(float slope, float turn)
+{
+    float level = clamp(floor(255.5 + 16.0 * log2(max(slope, 1e-20))), 0.0, 255.0);
+    return 256.0 * (level + fract(floor(256.0 * turn + 0.5) / 256.0)) / 65535.0;
+}
+
+// Back to heights per texel across and up.
+vec2 unpackedRise(float rise)
+{
+    float level = floor(floor(65535.0 * rise + 0.5) / 256.0);
+    if (level == 0.0) return vec2(0.0);
+    float turn = floor(65535.0 * rise + 0.5) / 256.0 - level;
+    vec2 way = vec2(abs(4.0 * turn - 2.0) - 1.0, abs(4.0 * fract(turn + 0.75) - 2.0) - 1.0);
+    return way * (exp2((level - 255.0) / 16.0) / length(way));
+}
+
 // Where a point is looked up: off the surface by a tenth of a texel where the light grazes it.
 vec3 atlasLookupPoint(vec3 p, vec3 n, float cosine, float texel)
 {
     return p + n * (0.1 * texel * sqrt(max(1.0 - cosine * cosine, 0.0)));
 }
 
+// Whether the plane of a texel's first surface is above height at offset from its centre, by more than a tenth of a texel.
+bool underPlane(vec4 texel, vec2 offset, float height, int size)
+{
+    return texel.x + dot(unpackedRise(texel.y), offset) > height + 0.1 / float(size) + ATLAS_STEP;
+}
+
 // 1 if the point at texel position xy and height sees the light of the map that starts at corner, else 0. rise: of the point's
 // plane to the texel's centre, where the map was made; believed as far as the first surface rises, too: else it is another.
+// A wall's foot rises as steeply, and is under the floor that the light comes through: so it is under the floor's plane, where
+// it is itself and by the next texel, too, while beyond a body's edge the next texel shows another side.
 float atlasVisible(sampler2D atlasMap, ivec2 corner, int size, vec2 xy, float height, float rise)
 {
     if (min(xy.x, xy.y) < 0.0 || max(xy.x, xy.y) >= float(size)) return 1.0;
-    vec4 middle = texelFetch(atlasMap, corner + ivec2(xy), 0);
-    return middle.x <= height + clamp(rise, 0.0, riseToCorner(middle.y)) + ATLAS_STEP ? 1.0 : 0.0;
+    ivec2 p = ivec2(xy);
+    vec4 middle = texelFetch(atlasMap, corner + p, 0);
+    if (middle.x > height + clamp(rise, 0.0, riseToCorner(length(unpackedRise(middle.y)))) + ATLAS_STEP) return 0.0;
+    vec2 offset = xy - vec2(p) - 0.5;
+    if (!underPlane(middle, offset, height, size)) return 1.0;
+    ivec2 next = abs(offset.x) > abs(offset.y) ? ivec2(offset.x < 0.0 ? -1 : 1, 0) : ivec2(0, offset.y < 0.0 ? -1 : 1);
+    ivec2 q = p + next;
+    if (min(q.x, q.y) < 0 || max(q.x, q.y) >= size) return 1.0;
+    return underPlane(texelFetch(atlasMap, corner + q, 0), offset - vec2(next), height, size) ? 0.0 : 1.0;
 }
 
 #endif

@@ -20,7 +20,7 @@ uniform ivec2 atlasMapIndex;
 in vec4 vertexColor;
 in vec2 textureCoordinate;
 
-layout(location = 0) out vec4 surface; // slope, negative for sheets: leaves, grilles and what shows its back; second: 1 if that
+layout(location = 0) out vec4 surface; // slope, negative for sheets: leaves, grilles and what shows its back; second: 1 if that; the slope's turn
 
 float casterAlpha()
 {
@@ -56,11 +56,12 @@ void main()
     if (gl_FragCoord.z <= texelFetch(firstDepthMap, ivec2(gl_FragCoord.xy), 0).r + ATLAS_STEP) discard;
     surface = vec4(0.0, gl_FrontFacing ? 0.0 : 1.0, 0.0, alpha);
 #else
-    float slope = length(vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z)));
+    vec2 gradient = -vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z)); // heights are one less depths
+    float slope = length(gradient);
     if (!gl_FrontFacing) slope = -slope;
 #ifdef CASTER_ALPHA
     slope = -abs(slope);
 #endif
-    surface = vec4(slope, 0.0, 0.0, alpha);
+    surface = vec4(slope, 0.0, turnOf(gradient), alpha);
 #endif
 }

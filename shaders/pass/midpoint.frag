@@ -1,6 +1,6 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// From the two surfaces of a map of the sky shadow atlas to its heights, and the first surface's slope.
+// From the two surfaces of a map of the sky shadow atlas to its heights, and how the first surface rises.
 #include "lib/atlas.glsl"
 
 uniform sampler2D firstDepthMap;
@@ -17,5 +17,5 @@ void main()
     vec4 slope = texelFetch(firstSlopeMap, p, 0);
     float middle =
         skyHeight(texelFetch(firstDepthMap, p, 0).r, texelFetch(secondDepthMap, p, 0).r, slope.r, slope.g, texel);
-    height = vec4(middle, abs(slope.r), 0.0, 0.0);
+    height = vec4(middle, packedRise(abs(slope.r), slope.b), 0.0, 0.0);
 }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <osg/Math>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "glsl.h"
 
@@ -91,8 +94,8 @@ TEST(atlas, VisibleAtOrAboveTheMapsHeightAndOutsideIt)
 
 TEST(atlas, TheRiseOfAPlaneCountsAsFarAsTheFirstSurfaceRises)
 {
-    const float slope = 0.1f;
-    const float heights[] = {0.5f, slope, 0, 0};
+    const double slope = std::exp2(-3.25);  // one that a byte holds
+    const float heights[] = {0.5f, float(glsl::packedRise(slope, 0.0)), 0, 0};
     const glsl::sampler2D map{heights, 1, 1};
     const auto sees = [&](double below, double rise) {
         return glsl::atlasVisible(map, glsl::ivec2(0, 0), 1, glsl::vec2(0.5, 0.5), 0.5 - below, rise);
@@ -101,4 +104,48 @@ TEST(atlas, TheRiseOfAPlaneCountsAsFarAsTheFirstSurfaceRises)
     EXPECT_EQ(0.0, sees(0.03, 0.02));
     EXPECT_EQ(0.0, sees(0.08, 0.08));  // more than .71 of the slope
     EXPECT_EQ(1.0, sees(0.0, -0.03));  // lower at the centre: the point is not
+}
+
+// Half a step of either byte: 1/32 of an octave, and 1/512 of the way round a square, 8/512 radians in the middle of a side.
+TEST(atlas, TheRiseOfTheFirstSurfaceIsKeptInTwoBytes)
+{
+    for (double slope : {std::exp2(-15.9), 1e-4, 0.0078, 0.3, 1.0})
+        for (int degrees = 0; degrees < 360; ++degrees) {
+            const double a = osg::DegreesToRadians(double(degrees));
+            const glsl::vec2 gradient = slope * glsl::vec2(std::cos(a), std::sin(a));
+            const float kept = float(glsl::packedRise(slope, glsl::turnOf(gradient)));
+            ASSERT_TRUE(kept >= 0.0f && kept <= 1.0f);
+            const glsl::vec2 back = glsl::unpackedRise(kept);
+            EXPECT_LE(std::abs(std::log2(glsl::length(back) / slope)), 1.0 / 32.0 + 1e-6) << slope << " at " << degrees;
+            EXPECT_GE(glsl::dot(back, gradient) / (slope * glsl::length(back)), std::cos(8.0 / 512.0) - 1e-9) << degrees;
+        }
+    EXPECT_EQ(glsl::vec2(0.0, 0.0), glsl::unpackedRise(glsl::packedRise(0.0, glsl::turnOf(glsl::vec2(0.0, 0.0)))));
+    // Steeper than the map is high in a texel: as that.
+    EXPECT_DOUBLE_EQ(1.0, glsl::length(glsl::unpackedRise(glsl::packedRise(30.0, 0.0))));
+}
+
+TEST(atlas, NothingIsSeenFromUnderASurfaceThatGoesOnInTheNextTexel)
+{
+    const int size = 16;
+    std::vector<float> texels(size_t(size) * size * 4, 0.0f);
+    const double slope = std::exp2(-4.0);  // rises to the right
+    const double slack = 0.1 / size + 5e-5;
+    const auto put = [&](size_t x, double height) {
+        texels[4 * x] = float(height);
+        texels[4 * x + 1] = float(glsl::packedRise(slope, glsl::turnOf(glsl::vec2(1.0, 0.0))));
+    };
+    const auto sees = [&](double x, double height) {
+        const glsl::sampler2D map{texels.data(), size, size};
+        return glsl::atlasVisible(map, glsl::ivec2(0, 0), size, glsl::vec2(x, 0.5), height, 1.0);
+    };
+    put(0, 0.5);
+    put(1, 0.5 + slope);
+    EXPECT_EQ(1.0, sees(0.9, 0.5 + 0.4 * slope - 0.99 * slack));
+    EXPECT_EQ(0.0, sees(0.9, 0.5 + 0.4 * slope - 1.01 * slack));
+    // On its low side the middle decides, and the rise of the point's own plane.
+    EXPECT_EQ(1.0, sees(0.1, 0.5 - 0.4 * slope));
+    EXPECT_EQ(0.0, sees(0.1, 0.5 - 0.75 * slope));
+    // A body's edge: the next texel shows its other side.
+    put(1, 0.5);
+    EXPECT_EQ(1.0, sees(0.9, 0.5 + 0.4 * slope - 1.5 * slack));
 }

@@ -45,7 +45,7 @@ ShadowAtlas::ShadowAtlas(unsigned lightCount, unsigned mapSize) : lights(lightCo
 {
     const auto columns = unsigned(std::ceil(std::sqrt(double(lights))));
     const unsigned batch = std::clamp(1024u / size, 1u, 8u);
-    _targets = ShadowTargets(size, columns, (lights + columns - 1) / columns, batch, GL_RG16, GL_RG16F);
+    _targets = ShadowTargets(size, columns, (lights + columns - 1) / columns, batch, GL_RG16, GL_RGBA16F_ARB);
 }
 
 // The bound stays while it fits: a caster that wanders within it moves no map.
@@ -282,7 +282,7 @@ size_t ShadowAtlas::bytes() const
 {
     const size_t map = size_t(size) * size;
     const size_t rows = (lights + _targets.columns - 1) / _targets.columns;
-    return 4 * map * _targets.columns * rows + (4 + 4 + 4) * map * _targets.batch + _still.bytes();
+    return 4 * map * _targets.columns * rows + (8 + 4 + 4) * map * _targets.batch + _still.bytes();
 }
 
 }  // namespace osgEnvLight

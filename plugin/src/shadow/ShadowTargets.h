@@ -19,7 +19,7 @@ struct OSGENVLIGHT_EXPORT ShadowTargets {
     /** @param size         of a map's side [texels]
      * @param columns, rows of maps in the texture
      * @param mapFormat    of the maps; slopeFormat, of the first surface's slopes, beside them whether the
-     *                     second shows its back */
+     *                     second shows its back, and which way the first rises */
     ShadowTargets(unsigned size, unsigned columns, unsigned rows, unsigned batch, GLint mapFormat, GLint slopeFormat);
 
     unsigned size = 0;
