@@ -91,6 +91,8 @@ inline vec4 textureLod(const sampler2D& s, vec2 st, double)
 #define HAS_BECKMANN
 #define HAS_STRAUSS
 #define HAS_COATS
+#define HAS_ANISOTROPY
+#include "lib/anisotropy.glsl"
 #include "lib/atlas.glsl"
 #include "lib/bilateral.glsl"
 #include "lib/beckmann.glsl"
@@ -120,6 +122,7 @@ inline vec4 textureLod(const sampler2D& s, vec2 st, double)
 #include "lib/tone.glsl"
 #include "lib/visibility.glsl"
 #undef float
+#undef HAS_ANISOTROPY
 #undef HAS_PHONG
 #undef HAS_COOK_TORRANCE
 #undef HAS_BLINN_PHONG

@@ -108,7 +108,8 @@ void appendVertices(const osg::Geometry& g, unsigned set, const osg::Matrixd& wo
     const osg::Array& vertices = *g.getVertexArray();
     const osg::Array* normals = bound(g.getNormalArray());
     const osg::Array* colors = bound(g.getColorArray());
-    const osg::Array* texCoords = mesh.material.texture ? bound(g.getTexCoordArray(0)) : nullptr;
+    const bool textured = mesh.material.texture || mesh.material.anisotropy > 0.0;
+    const osg::Array* texCoords = textured ? bound(g.getTexCoordArray(0)) : nullptr;
     const osg::Matrixd modelFromWorld = osg::Matrixd::inverse(worldFromModel);
     ElementReader reader;
     for (unsigned i = 0; i < vertices.getNumElements(); ++i) {
@@ -124,7 +125,7 @@ void appendVertices(const osg::Geometry& g, unsigned set, const osg::Matrixd& wo
         // Without colours of its own a drawable has OpenGL's current one, which applying an osg::Material sets to its diffuse.
         if (mesh.material.vertexColored)
             mesh.colors.emplace_back(colors ? reader.read(*colors, elementOf(*colors, i, set)) : mesh.material.color);
-        if (mesh.material.texture) {
+        if (textured) {
             const glm::dvec4 c = texCoords ? reader.read(*texCoords, elementOf(*texCoords, i, set)) : glm::dvec4(0, 0, 0, 1);
             const osg::Vec4d st = osg::Vec4d(c.x, c.y, c.z, c.w) * textureMatrix;
             mesh.texCoords.emplace_back(glm::dvec2(st.x(), st.y()));

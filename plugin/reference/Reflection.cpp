@@ -3,6 +3,7 @@
 
 #include "Directions.h"
 
+#include "base/Limits.h"
 #include "surface/AlbedoTable.h"
 #include <osgEnvLight/Material>
 
@@ -20,22 +21,44 @@ namespace
 // What the shader takes for a mirror is one here.
 const double mirrorAlpha = 0.0009;
 
-// Scale and offset of F0 at (roughness, cos): the model's own table, which is part of its definition.
-glm::dvec2 microfacetAlbedo(int brdf, double roughness, double cosV)
+// Scale and offset of F0 at (roughness, cos) in a block of the model's own table, which is part of its definition.
+glm::dvec2 albedoInBlock(const osg::Image& table, int number, double roughness, double cosV)
 {
-    static const osg::ref_ptr<osg::Image> table = albedoTableImage();
-    const int n = table->t();
-    const auto* texels = reinterpret_cast<const float*>(table->data());
+    const int n = table.t();
+    const auto* texels = reinterpret_cast<const float*>(table.data());
     const glm::dvec2 p = glm::clamp(glm::dvec2(roughness, std::sqrt(cosV)), 0.0, 1.0) * double(n - 1);
     const glm::ivec2 i = glm::min(glm::ivec2(p), n - 2);
     const glm::dvec2 f = p - glm::dvec2(i);
-    const int block = n * glsl::albedoBlock(brdf);
+    const int block = n * number;
     auto at = [&](int x, int y) {
-        const float* t = texels + 2 * (y * table->s() + block + x);
+        const float* t = texels + 2 * (y * table.s() + block + x);
         return glm::dvec2(double(t[0]), double(t[1]));
     };
     return (1.0 - f.y) * ((1.0 - f.x) * at(i.x, i.y) + f.x * at(i.x + 1, i.y)) +
            f.y * ((1.0 - f.x) * at(i.x, i.y + 1) + f.x * at(i.x + 1, i.y + 1));
+}
+
+glm::dvec2 microfacetAlbedo(int brdf, double roughness, double cosV)
+{
+    return albedoInBlock(*albedoTableImage(), glsl::albedoBlock(brdf), roughness, cosV);
+}
+
+glm::dvec2 anisotropicAlbedo(const glm::dvec2& alpha, const glm::dvec3& v)
+{
+    const osg::ref_ptr<osg::Image> table = albedoTableImage(true);
+    const glm::dvec2 about = glsl::anisotropicRoughness(alpha, v);
+    const double block = about.y * (limits::ANISOTROPY_BLOCKS - 1);
+    const int below = std::min(int(block), limits::ANISOTROPY_BLOCKS - 2);
+    const auto at = [&](int i) { return albedoInBlock(*table, limits::ALBEDO_BLOCKS + i, about.x, v.z); };
+    return glm::mix(at(below), at(below + 1), block - below);
+}
+
+// The alphas of GGX's normals along the frame's x and y.
+template <class Lobe>
+glm::dvec2 alphaOf(const Lobe& lobe)
+{
+    const double alpha = lobe.roughness * lobe.roughness;
+    return lobe.anisotropy > 0.0 ? glm::dvec2(glsl::anisotropicAlpha(alpha, lobe.anisotropy)) : glm::dvec2(alpha);
 }
 
 template <class Lobe>
@@ -46,6 +69,7 @@ glsl::Bsdf bsdfOf(const Lobe& lobe)
     b.f0 = lobe.f0;
     b.roughness = lobe.roughness;
     b.energy = lobe.energy;
+    b.anisotropy = lobe.anisotropy;
     return b;
 }
 
@@ -70,11 +94,38 @@ Reflection::Reflection(const SurfaceHit& hit, const Ray& ray, const glm::dvec4& 
     _albedo = base;
     _base.brdf = m.brdf;
     if (m.brdf != Material::LAMBERT) {
+        if (m.anisotropy > 0.0) setBrushing(hit);
         setView(ray.direction);
         setParameters(m, base);
         setLobes(m);
     }
     _diffuse = _albedo * _body / pi;
+}
+
+// The frame's x is the direction in which highlights are drawn out.
+void Reflection::setBrushing(const SurfaceHit& hit)
+{
+    const SurfaceMaterial& m = hit.mesh->material;
+    const auto edge = [&](const auto& attribute, unsigned to) {
+        return glm::dvec3(glm::dvec4(attribute[to], 0.0, 0.0)) - glm::dvec3(glm::dvec4(attribute[hit.triangle.x], 0.0, 0.0));
+    };
+    const auto& places = hit.mesh->positions;
+    const glm::dvec3 p1 = glm::dvec3(places[hit.triangle.y]) - glm::dvec3(places[hit.triangle.x]);
+    const glm::dvec3 p2 = glm::dvec3(places[hit.triangle.z]) - glm::dvec3(places[hit.triangle.x]);
+    const glm::dvec3 c1 = edge(hit.mesh->texCoords, hit.triangle.y), c2 = edge(hit.mesh->texCoords, hit.triangle.z);
+    // Positions by coordinates: p = s alongS + t alongT.
+    const double area = c1.x * c2.y - c2.x * c1.y;
+    const glm::dvec3 alongS = (c2.y * p1 - c1.y * p2) * area, alongT = (c1.x * p2 - c2.x * p1) * area;
+    const auto inPlane = [&](const glm::dvec3& d) { return d - glm::dot(d, _normal) * _normal; };
+    const bool mapped = area != 0.0 && glm::length(inPlane(alongS)) > 0.0;
+    const glm::dvec3 t = mapped ? inPlane(alongS) : glm::cross(m.axis, _normal);
+    if (!(glm::length(t) > 0.0)) return;
+    const glm::dvec3 tangent = glm::normalize(t);
+    glm::dvec3 bitangent = glm::cross(_normal, tangent);
+    if (mapped && glm::dot(bitangent, alongT) * m.anisotropyUp < 0.0) bitangent = -bitangent;
+    const glm::dvec3 x = m.anisotropyDirection.x * tangent + m.anisotropyDirection.y * bitangent;
+    _frame = glm::dmat3(x, glm::cross(_normal, x), _normal);
+    _base.anisotropy = m.anisotropy;
 }
 
 void Reflection::setView(const glm::dvec3& direction)
@@ -117,7 +168,8 @@ void Reflection::setLobes(const SurfaceMaterial& m)
     const glm::dvec2 table =
         _base.brdf == Material::STRAUSS
             ? glm::dvec2(glsl::straussReflectance(glsl::straussSmoothness(glsl::phongExponent(_base.roughness)), c, c))
-            : microfacetAlbedo(_base.brdf, _base.roughness, c);
+        : _base.anisotropy > 0.0 ? anisotropicAlbedo(alphaOf(_base), _view)
+                                 : microfacetAlbedo(_base.brdf, _base.roughness, c);
     glsl::Bsdf b = glsl::makeBsdf(_base.brdf, _base.f0, _base.roughness, table);
     if (m.coat > 0.0) {
         glsl::Coat coat;
@@ -137,7 +189,8 @@ void Reflection::setLobes(const SurfaceMaterial& m)
     _body = b.body;
     const bool black = std::max(_base.f0.r, std::max(_base.f0.g, _base.f0.b)) <= 0.0;
     if (black && (glsl::isMirrored(_base.brdf) || _base.brdf == Material::BLINN_PHONG)) return;
-    _base.wide = _base.roughness * _base.roughness >= mirrorAlpha;
+    const glm::dvec2 alpha = alphaOf(_base);
+    _base.wide = std::sqrt(alpha.x * alpha.y) >= mirrorAlpha;
     if (!_base.wide) addMirror(_base);
 }
 
@@ -181,9 +234,9 @@ glm::dvec3 Reflection::sample(const Lobe& lobe, const glm::dvec2& u) const
         const double height = -std::expm1(std::log1p(-u.x) / (glsl::phongExponent(lobe.roughness) + 1.0));
         return frameAbout(_reflected) * aboutPoleByHeight(height, u.y);
     }
-    const double a2 = std::pow(lobe.roughness, 4.0);
-    const double tan2 = a2 * u.x / (1.0 - u.x);
-    const glm::dvec3 h = aboutPole(1.0 / std::sqrt(1.0 + tan2), u.y);
+    const glm::dvec2 slope =
+        std::sqrt(u.x / (1.0 - u.x)) * alphaOf(lobe) * glm::dvec2(std::cos(2.0 * pi * u.y), std::sin(2.0 * pi * u.y));
+    const glm::dvec3 h = glm::normalize(glm::dvec3(slope, 1.0));
     const double c = glm::dot(_view, h);
     return c > 0.0 ? _frame * glm::normalize(2.0 * c * h - _view) : glm::dvec3(0.0);
 }
@@ -213,11 +266,11 @@ double Reflection::density(const Lobe& lobe, const glm::dvec3& l) const
     }
     const glm::dvec3 h = glm::normalize(_view + local(l));
     if (h.z <= 0.0) return 0.0;
-    // D written out a second time, in the tangent form [Walter 2007, eq. 33].
+    // D written out a second time, by slopes [Walter 2007, eq. 33; Heitz 2014, eq. 85].
     const double cos2 = h.z * h.z;
-    const double tan2 = (h.x * h.x + h.y * h.y) / cos2;
-    const double a2 = std::pow(lobe.roughness, 4.0);
-    const double d = a2 / (pi * cos2 * cos2 * (a2 + tan2) * (a2 + tan2));
+    const glm::dvec2 alpha = alphaOf(lobe), slope = glm::dvec2(h) / h.z / alpha;
+    const double spread = 1.0 + glm::dot(slope, slope);
+    const double d = 1.0 / (pi * alpha.x * alpha.y * cos2 * cos2 * spread * spread);
     return d * h.z / (4.0 * std::max(glm::dot(_view, h), 1e-12));
 }
 

@@ -50,12 +50,14 @@ class Reflection
         glm::dvec3 f0{0, 0, 0};
         glm::dvec3 energy{1, 1, 1};
         double roughness = 1.0;
+        double anisotropy = 0.0;
         bool wide = false;  // not a mirror's
     };
     glm::dvec3 value(const Lobe& lobe, const glm::dvec3& toLight) const;
     glm::dvec3 sample(const Lobe& lobe, const glm::dvec2& u) const;
     double density(const Lobe& lobe, const glm::dvec3& l) const;
     void setView(const glm::dvec3& direction);
+    void setBrushing(const SurfaceHit& hit);
     void setParameters(const SurfaceMaterial& m, const glm::dvec3& base);
     void setLobes(const SurfaceMaterial& m);
     void addMirror(const Lobe& lobe);

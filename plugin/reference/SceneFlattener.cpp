@@ -144,6 +144,8 @@ class Flattener
         std::set<std::string> leftOut;
         TriangleMesh mesh;
         mesh.material = state.material(*geometry, _linearColors, _textures, leftOut);
+        const osg::Vec3d axis = osg::Matrixd::transform3x3(osg::Vec3d(0, 0, 1), worldFromModel(leaf));
+        mesh.material.axis = glm::dvec3(axis.x(), axis.y(), axis.z());
         if (geometry->getDrawCallback()) leftOut.insert("draw callbacks");
         if (!appendTriangles(*geometry, worldFromModel(leaf), state.textureMatrix(), _result.origin, mesh, _result))
             leftOut.insert("points and lines");

@@ -120,7 +120,14 @@ void SceneState::setOwnMaterial(SurfaceMaterial& m) const
     if (coated()) {
         m.coat = double(uniform(MaterialMaps::coat, 0.0f));
         m.coatRoughness = double(uniform(MaterialMaps::coatRoughness, 0.0f));
-    } else if (dielectric()) {
+    }
+    if (anisotropic()) {
+        m.anisotropy = double(uniform(MaterialMaps::anisotropy, 0.0f));
+        const osg::Vec2f d = uniform(MaterialMaps::anisotropyDirection, osg::Vec2f(1, 0));
+        m.anisotropyDirection = glm::dvec2(double(d.x()), double(d.y()));
+        m.anisotropyUp = double(uniform(MaterialMaps::anisotropyUp, 1.0f));
+    }
+    if (!coated() && dielectric()) {
         m.dielectric = rgb(uniform(MaterialMaps::dielectric, osg::Vec3f()));
     }
 }
@@ -150,7 +157,10 @@ SurfaceMaterial SceneState::material(const osg::Geometry& geometry, bool linearC
     setTexture(m, textures, leftOut);
     if (const char* what = unsupported(&geometry)) leftOut.insert(std::string(what) + ": lit as if they were not there");
     for (unsigned map = 0; map < std::size(MaterialMaps::samplers); ++map)
-        if (mapped(map)) leftOut.insert("normal, roughness, emission and coat maps: their surfaces have the material without");
+        if (mapped(map))
+            leftOut.insert("normal, roughness, emission, anisotropy and coat maps: their surfaces have the material without");
+    if (anisotropic() && (_textureMatrix.attribute || uniform(MaterialMaps::anisotropyTexCoord, 0) != 0))
+        leftOut.insert("anisotropy by other texture coordinates than the first as they are: it is by those of the base colour");
     for (const TextureStage& stage : stages())
         if (stage.kind != limits::STAGE_NONE)
             leftOut.insert("texture units beyond the first, and normal maps: their surfaces have the first alone");

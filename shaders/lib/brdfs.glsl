@@ -10,5 +10,22 @@
 #define BRDF_BECKMANN 4       // Cook-Torrance with Beckmann's distribution
 #define BRDF_STRAUSS 5
 #define BRDF_COATED 6         // Cook-Torrance with GGX below a clear coat
+#define BRDF_ANISOTROPIC 7    // Cook-Torrance with GGX whose highlights are drawn out along a direction
+
+// A number with 13 bits of parameters, as the 16 bits that the G-buffer keeps.
+uint packKind(int brdf, uint parameters)
+{
+    return parameters >> 8 << 11 | uint(brdf) << 8 | (parameters & 255u);
+}
+
+int kindBrdf(uint kind)
+{
+    return int(kind >> 8 & 7u);
+}
+
+uint kindParameters(uint kind)
+{
+    return kind >> 11 << 8 | (kind & 255u);
+}
 
 #endif

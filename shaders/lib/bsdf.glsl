@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What a surface is made of: a Lambert layer, and above it a lobe of one of the BRDFs. Each pass that shades asks here, so that all
 // agree. Local frame as in lib/ggx.glsl. Only the lobes that are asked for are compiled: HAS_PHONG, HAS_COOK_TORRANCE,
-// HAS_BLINN_PHONG, HAS_BECKMANN, HAS_STRAUSS, and HAS_COATS of lib/coat.glsl.
+// HAS_BLINN_PHONG, HAS_BECKMANN, HAS_STRAUSS, HAS_ANISOTROPY, and HAS_COATS of lib/coat.glsl.
 #ifndef BSDF_GLSL
 #define BSDF_GLSL
 
 #ifndef __cplusplus  // see glsl.h
-#pragma import_defines(HAS_PHONG, HAS_COOK_TORRANCE, HAS_BLINN_PHONG, HAS_BECKMANN, HAS_STRAUSS, HAS_COATS)
+#pragma import_defines(HAS_PHONG, HAS_COOK_TORRANCE, HAS_BLINN_PHONG, HAS_BECKMANN, HAS_STRAUSS, HAS_ANISOTROPY, HAS_COATS)
 #endif
 #if defined(HAS_COOK_TORRANCE) || defined(HAS_COATS)
 #define HAS_GGX
@@ -15,6 +15,7 @@
 #define HAS_MICROFACETS
 #endif
 
+#include "lib/anisotropy.glsl"
 #include "lib/beckmann.glsl"
 #include "lib/blinn.glsl"
 #include "lib/brdfs.glsl"
@@ -27,6 +28,9 @@ struct Bsdf {
     int brdf;
     vec3 f0;         // reflectance of the lobe at normal incidence
     float roughness;
+#ifdef HAS_ANISOTROPY
+    float anisotropy;  // strength, along the local frame's x; of GGX alone
+#endif
     vec3 energy;     // factor of the lobe
     vec3 reflected;  // share of light that the lobe reflects: its directional albedo
     vec3 body;       // share that reaches the Lambert layer
@@ -36,6 +40,45 @@ struct Bsdf {
 bool isMicrofacets(int brdf)
 {
     return brdf == BRDF_COOK_TORRANCE || brdf == BRDF_BECKMANN || brdf == BRDF_BLINN_PHONG;
+}
+
+// Two alphas where GGX's normals are not as rough along the frame's x as along its y.
+#ifdef HAS_ANISOTROPY
+#define LOBE_ALPHA vec2
+#else
+#define LOBE_ALPHA float
+#endif
+
+LOBE_ALPHA lobeAlpha(Bsdf b)
+{
+#ifdef HAS_ANISOTROPY
+    if (b.anisotropy > 0.0) return anisotropicAlpha(b.roughness * b.roughness, b.anisotropy);
+#endif
+    return LOBE_ALPHA(b.roughness * b.roughness);
+}
+
+// Of the lobe that is as wide in solid angle and the same in all directions.
+float evenAlpha(Bsdf b)
+{
+    vec2 alpha = vec2(lobeAlpha(b));
+    return sqrt(alpha.x * alpha.y);
+}
+
+float evenRoughness(Bsdf b)
+{
+#ifdef HAS_ANISOTROPY
+    if (b.anisotropy > 0.0) return sqrt(evenAlpha(b));
+#endif
+    return b.roughness;
+}
+
+// Along the direction in which it is widest.
+float widestRoughness(Bsdf b)
+{
+#ifdef HAS_ANISOTROPY
+    if (b.anisotropy > 0.0) return sqrt(lobeAlpha(b).x);
+#endif
+    return b.roughness;
 }
 
 // Which block of the albedo table is theirs.
@@ -65,6 +108,9 @@ Bsdf makeBsdf(int brdf, vec3 f0, float roughness, vec2 table)
     b.brdf = brdf;
     b.f0 = f0;
     b.roughness = roughness;
+#ifdef HAS_ANISOTROPY
+    b.anisotropy = 0.0;
+#endif
     b.energy = vec3(1.0);
     b.reflected = brdf == BRDF_LAMBERT ? vec3(0.0) : f0;
     b.body = vec3(1.0);
@@ -100,38 +146,40 @@ vec3 bsdfFresnel(Bsdf b, float c)
 }
 
 // Masking and shadowing over four cosines.
-float bsdfVisibility(Bsdf b, float cosV, float cosL)
+float bsdfVisibility(Bsdf b, vec3 v, vec3 l)
 {
-    float alpha = b.roughness * b.roughness;
 #ifdef HAS_BECKMANN
-    if (b.brdf == BRDF_BECKMANN) return smithVisibility(cosV, beckmannRoot(cosV, alpha), cosL, beckmannRoot(cosL, alpha));
+    if (b.brdf == BRDF_BECKMANN) {
+        float alpha = b.roughness * b.roughness;
+        return smithVisibility(v.z, beckmannRoot(v.z, alpha), l.z, beckmannRoot(l.z, alpha));
+    }
 #endif
 #ifdef HAS_BLINN_PHONG
     if (b.brdf == BRDF_BLINN_PHONG) {
         float n = phongExponent(b.roughness);
-        return smithVisibility(cosV, blinnRoot(cosV, n), cosL, blinnRoot(cosL, n));
+        return smithVisibility(v.z, blinnRoot(v.z, n), l.z, blinnRoot(l.z, n));
     }
 #endif
-    return ggxVisibility(cosV, cosL, alpha);
+    LOBE_ALPHA alpha = lobeAlpha(b);
+    return smithVisibility(v.z, ggxRoot(v, alpha), l.z, ggxRoot(l, alpha));
 }
 
 // Density of the facets' normals.
 float bsdfNormals(Bsdf b, vec3 h)
 {
-    float alpha = b.roughness * b.roughness;
 #ifdef HAS_BECKMANN
-    if (b.brdf == BRDF_BECKMANN) return beckmannD(h, alpha);
+    if (b.brdf == BRDF_BECKMANN) return beckmannD(h, b.roughness * b.roughness);
 #endif
 #ifdef HAS_BLINN_PHONG
     if (b.brdf == BRDF_BLINN_PHONG) return blinnD(h, phongExponent(b.roughness));
 #endif
-    return ggxD(h, alpha);
+    return ggxD(h, lobeAlpha(b));
 }
 
 // The lobe's value without Fresnel, of one bounce; h half-way.
 float bsdfMicrofacets(Bsdf b, vec3 v, vec3 l, vec3 h)
 {
-    return v.z > 0.0 && l.z > 0.0 ? bsdfNormals(b, h) * bsdfVisibility(b, v.z, l.z) : 0.0;
+    return v.z > 0.0 && l.z > 0.0 ? bsdfNormals(b, h) * bsdfVisibility(b, v, l) : 0.0;
 }
 #endif
 

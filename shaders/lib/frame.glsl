@@ -12,4 +12,11 @@ mat3 frameAround(vec3 n)
     return mat3(vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x), vec3(b, s + n.y * n.y * a, -n.y), n);
 }
 
+// The frame turned about its third axis.
+mat3 turnedFrame(mat3 frame, float angle)
+{
+    vec3 x = cos(angle) * frame[0] + sin(angle) * frame[1];
+    return mat3(x, cross(frame[2], x), frame[2]);
+}
+
 #endif

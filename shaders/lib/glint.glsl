@@ -26,7 +26,8 @@ vec3 discTangent(vec3 s)
     return normalize(abs(s.x) < 0.6 ? vec3(0.0, s.z, -s.y) : vec3(-s.z, 0.0, s.x));
 }
 
-// The normals half-way between v and the points of a disc about s, local, in the plane of slopes: an ellipse (specular.md 3).
+// The normals half-way between v and the points of a disc about s, local, in the plane of slopes: an ellipse (specular.md 3). Slopes
+// are in units of the lobe's alphas.
 // Nothing is a difference of what is large: slopes are in the thousands where sun and view graze the surface, and a sun's
 // radiance shows each lost digit as a firefly.
 struct SlopeDisc {
@@ -37,7 +38,7 @@ struct SlopeDisc {
     float area;         // what a distribution's share of the ellipse, times the visibility, counts for in the integral of D V cos
 };
 
-SlopeDisc slopeDisc(vec3 s, vec3 v, float radius)
+SlopeDisc slopeDisc(vec3 s, vec3 v, float radius, vec2 alpha)
 {
     SlopeDisc d;
     float share = discShare(s.z, radius);
@@ -48,13 +49,14 @@ SlopeDisc slopeDisc(vec3 s, vec3 v, float radius)
     vec3 e1 = discTangent(s);
     vec3 e2 = cross(s, e1);
     float scale = tan(radius) / h.z;
-    vec2 g1 = (vec2(e1) - m * e1.z) * scale;
-    vec2 g2 = (vec2(e2) - m * e2.z) * scale;
+    vec2 g1 = (vec2(e1) - m * e1.z) * scale / alpha;
+    vec2 g2 = (vec2(e2) - m * e2.z) * scale / alpha;
+    m /= alpha;
     float a = g1.x * g1.x + g2.x * g2.x;
     float b = g1.x * g1.y + g2.x * g2.y;
     float c = g1.y * g1.y + g2.y * g2.y;
     d.halfLength = sqrt(0.5 * (a + c) + sqrt(0.25 * (a - c) * (a - c) + b * b));
-    d.halfWidth = max(scale * scale * dot(s, h) / (h.z * d.halfLength), 1e-4 * d.halfLength);
+    d.halfWidth = max(scale * scale * dot(s, h) / (h.z * alpha.x * alpha.y * d.halfLength), 1e-4 * d.halfLength);
     vec2 along = a >= c ? vec2(1.0, 0.0) : vec2(0.0, 1.0);
     if (abs(b) > 1e-6 * d.halfLength * d.halfLength)
         along = normalize(a >= c ? vec2(d.halfLength * d.halfLength - c, b) : vec2(b, d.halfLength * d.halfLength - a));
@@ -82,21 +84,21 @@ float lobeAlong(float middle, float width)
 }
 
 // Share of GGX's normals, by their density in the plane of slopes, that lies in the ellipse: closed along it, 8 nodes across it.
-float ggxShareOfDisc(SlopeDisc d, float alpha)
+float ggxShareOfDisc(SlopeDisc d)
 {
-    float t0 = atan((d.middle.x - d.halfWidth) / alpha);
-    float t1 = atan((d.middle.x + d.halfWidth) / alpha);
+    float t0 = atan(d.middle.x - d.halfWidth);
+    float t1 = atan(d.middle.x + d.halfWidth);
     bool narrow = t1 - t0 < 0.1; // nodes even in u, else in t, where the lobe is narrower than the disc
     float sum = 0.0;
     for (int i = 0; i < 8; ++i) {
         vec2 node = discNode(i);
         float t = 0.5 * (t0 + t1) + 0.5 * (t1 - t0) * node.x;
-        float u = narrow ? node.x : (alpha * tan(t) - d.middle.x) / d.halfWidth;
-        float x = (d.middle.x + d.halfWidth * u) / alpha;
+        float u = narrow ? node.x : (tan(t) - d.middle.x) / d.halfWidth;
+        float x = d.middle.x + d.halfWidth * u;
         float cosT = narrow ? 1.0 / sqrt(1.0 + x * x) : cos(t);
-        float dt = narrow ? d.halfWidth / alpha * cosT * cosT : 0.5 * (t1 - t0);
+        float dt = narrow ? d.halfWidth * cosT * cosT : 0.5 * (t1 - t0);
         float chord = d.halfLength * sqrt(max(1.0 - u * u, 0.0));
-        sum += node.y * dt * cosT * lobeAlong(d.middle.y * cosT / alpha, 2.0 * chord * cosT / alpha);
+        sum += node.y * dt * cosT * lobeAlong(d.middle.y * cosT, 2.0 * chord * cosT);
     }
     return 0.5 * INV_PI * sum;
 }
@@ -116,19 +118,19 @@ float gaussianAlong(float middle, float width)
 }
 
 // The same share of Beckmann's normals, which are a Gaussian there. Nodes only where the lobe is.
-float beckmannShareOfDisc(SlopeDisc d, float alpha)
+float beckmannShareOfDisc(SlopeDisc d)
 {
-    float low = max(-1.0, (-4.0 * alpha - d.middle.x) / d.halfWidth);
-    float high = min(1.0, (4.0 * alpha - d.middle.x) / d.halfWidth);
+    float low = max(-1.0, (-4.0 - d.middle.x) / d.halfWidth);
+    float high = min(1.0, (4.0 - d.middle.x) / d.halfWidth);
     float sum = 0.0;
     for (int i = 0; i < 8; ++i) {
         vec2 node = discNode(i);
         float u = 0.5 * (low + high) + 0.5 * max(high - low, 0.0) * node.x;
-        float x = (d.middle.x + d.halfWidth * u) / alpha;
+        float x = d.middle.x + d.halfWidth * u;
         float chord = d.halfLength * sqrt(max(1.0 - u * u, 0.0));
-        sum += node.y * exp(-x * x) * gaussianAlong(d.middle.y / alpha, 2.0 * chord / alpha);
+        sum += node.y * exp(-x * x) * gaussianAlong(d.middle.y, 2.0 * chord);
     }
-    return 0.5 * max(high - low, 0.0) * d.halfWidth / alpha * INV_PI * sum;
+    return 0.5 * max(high - low, 0.0) * d.halfWidth * INV_PI * sum;
 }
 
 // Density of the Blinn-Phong normals over Beckmann's of the same alpha, at the point of the ellipse that is nearest to the peak.
@@ -136,7 +138,7 @@ float blinnOverBeckmann(SlopeDisc d, float alpha)
 {
     float slope = max(length(d.middle) - d.halfLength, 0.0);
     float m2 = slope * slope;
-    return exp(clamp(m2 / (alpha * alpha) - (1.0 / (alpha * alpha) + 1.0) * log(1.0 + m2), -80.0, 80.0));
+    return exp(clamp(m2 - (1.0 / (alpha * alpha) + 1.0) * log(1.0 + m2 * alpha * alpha), -80.0, 80.0));
 }
 
 #ifdef HAS_MICROFACETS
@@ -161,19 +163,18 @@ float microfacetDisc(Bsdf b, vec3 s, vec3 v, float radius)
 {
     if (discShare(s.z, radius) <= 0.0) return 0.0;
     if (discIsGrazed(s, v, radius)) return grazedDisc(b, s, v, radius);
-    SlopeDisc d = slopeDisc(s, v, radius);
-    float alpha = b.roughness * b.roughness;
+    SlopeDisc d = slopeDisc(s, v, radius, vec2(lobeAlpha(b)));
     float share = 0.0;
 #ifdef HAS_GGX
-    if (b.brdf == BRDF_COOK_TORRANCE) share = ggxShareOfDisc(d, alpha);
+    if (b.brdf == BRDF_COOK_TORRANCE) share = ggxShareOfDisc(d);
 #endif
 #ifdef HAS_BECKMANN
-    if (b.brdf == BRDF_BECKMANN) share = beckmannShareOfDisc(d, alpha);
+    if (b.brdf == BRDF_BECKMANN) share = beckmannShareOfDisc(d);
 #endif
 #ifdef HAS_BLINN_PHONG
-    if (b.brdf == BRDF_BLINN_PHONG) share = beckmannShareOfDisc(d, alpha) * blinnOverBeckmann(d, alpha);
+    if (b.brdf == BRDF_BLINN_PHONG) share = beckmannShareOfDisc(d) * blinnOverBeckmann(d, b.roughness * b.roughness);
 #endif
-    return d.area * share * bsdfVisibility(b, v.z, d.direction.z);
+    return d.area * share * bsdfVisibility(b, v, d.direction);
 }
 #endif
 

@@ -5,7 +5,6 @@
 // D = num + V (U - den): U, the term D, is free of their noise, and V is how much of it to trust, a constant of the
 // view; whatever it is, the mean stays num. S - O_S likewise with V = 1: where nothing is in the way there is no noise.
 
-#include "lib/frame.glsl"
 #include "lib/tone.glsl"
 #include "pass/pixelbsdf.glsl"
 #include "pass/atlas.glsl"
@@ -28,9 +27,9 @@ Lobe lobeAt(ivec2 p, vec3 n)
 {
     Lobe lobe;
     float roughness = texelFetch(normalMap, p, 0).a;
-    lobe.eyeFromLocal = frameAround(n);
+    lobe.eyeFromLocal = pixelFrame(p, n);
     lobe.v = pixelView(p, lobe.eyeFromLocal);
-    lobe.bsdf = pixelBsdf(p, lobe.v.z);
+    lobe.bsdf = pixelBsdf(p, lobe.v);
     lobe.share = lightedShare(roughness);
     return lobe;
 }

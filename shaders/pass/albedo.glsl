@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: MIT
 // A lobe's directional albedo for one bounce, as scale and offset of F0. A table over (roughness, sqrt cos) has that of microfacets, with
-// one block for each distribution.
+// one block for each distribution. Where surfaces are brushed, further blocks have it for GGX by the roughness across the view, over
+// (roughness along the view, sqrt cos).
 #ifndef ALBEDO_GLSL
 #define ALBEDO_GLSL
 
 #include "lib/bsdf.glsl"
+#include "lib/limits.glsl"
 
 uniform sampler2D albedoTable;
+
+vec2 albedoInBlock(float block, float roughness, float cosV)
+{
+    vec2 size = vec2(textureSize(albedoTable, 0));
+    vec2 st = vec2(roughness, sqrt(clamp(cosV, 0.0, 1.0))) * (size.y - 1.0) + 0.5;
+    st.x += size.y * block;
+    return textureLod(albedoTable, st / size, 0.0).rg;
+}
 
 vec2 lobeAlbedo(int brdf, float roughness, float cosV)
 {
@@ -15,10 +25,7 @@ vec2 lobeAlbedo(int brdf, float roughness, float cosV)
 #endif
 #ifdef HAS_MICROFACETS
     if (isMicrofacets(brdf)) {
-        vec2 size = vec2(textureSize(albedoTable, 0));
-        vec2 st = vec2(roughness, sqrt(clamp(cosV, 0.0, 1.0))) * (size.y - 1.0) + 0.5;
-        st.x += size.y * float(albedoBlock(brdf));
-        return textureLod(albedoTable, st / size, 0.0).rg;
+        return albedoInBlock(float(albedoBlock(brdf)), roughness, cosV);
     }
 #endif
     return vec2(0.0);
@@ -29,5 +36,20 @@ Bsdf bsdfOf(int brdf, vec3 f0, float roughness, float cosV)
 {
     return makeBsdf(brdf, f0, roughness, lobeAlbedo(brdf, roughness, cosV));
 }
+
+#ifdef HAS_ANISOTROPY
+// The same of a brushed one, seen from v in its frame.
+Bsdf anisotropicBsdfOf(vec3 f0, float roughness, float anisotropy, vec3 v)
+{
+    vec2 about = anisotropicRoughness(anisotropicAlpha(roughness * roughness, anisotropy), v);
+    float block = about.y * float(ANISOTROPY_BLOCKS - 1);
+    float below = min(floor(block), float(ANISOTROPY_BLOCKS - 2));
+    vec2 table = mix(albedoInBlock(float(ALBEDO_BLOCKS) + below, about.x, v.z),
+                     albedoInBlock(float(ALBEDO_BLOCKS) + below + 1.0, about.x, v.z), block - below);
+    Bsdf b = makeBsdf(BRDF_COOK_TORRANCE, f0, roughness, table);
+    b.anisotropy = anisotropy;
+    return b;
+}
+#endif
 
 #endif

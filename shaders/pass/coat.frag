@@ -21,7 +21,8 @@ LobePixel lobePixel(PixelCoat c)
 {
     LobePixel l;
     l.bsdf = c.bsdf;
-    l.alpha = c.bsdf.roughness * c.bsdf.roughness;
+    l.alpha = evenAlpha(c.bsdf);
+    l.samples = specularSamples;
     l.view = c.view;
     l.mapFromLocal = mapFromEye * c.eyeFromLocal;
     l.group = 0.0;

@@ -35,7 +35,7 @@ void main()
     float share = 1.0;  // of the albedo that diffuse light meets
 #if defined(HAS_COOK_TORRANCE) || defined(HAS_BECKMANN) || defined(HAS_STRAUSS) || defined(HAS_COATS)
     // What the lobe reflects never reaches the layer below.
-    Bsdf b = pixelBsdf(p, -dot(n, viewRay(inverseProjection, pixelNdc(p))));
+    Bsdf b = pixelBsdf(p, lobeView(p, n));
     rho *= b.body;
     share = dot(b.body, vec3(1.0 / 3.0));
 #endif

@@ -3,7 +3,7 @@
 // Transparent surfaces of the host, drawn after the composite in its own bins: the same environment functions, one
 // look-up for the lobe in place of the importance samples. What hides light from them the shadow maps say: of the sky's each
 // pixel of a 2x2 cell asks a quarter, and the cell shares what its four know; of each sun's disc eight points.
-#pragma import_defines(HAS_COATS, HAS_SPECULAR, HAS_SUNS, SUN_DIFFUSE, HAS_ATLAS, HAS_SUN_MAPS, HAS_BOUNCE, HAS_SCENE_LIGHTS)
+#pragma import_defines(HAS_COATS, HAS_ANISOTROPY, HAS_SPECULAR, HAS_SUNS, SUN_DIFFUSE, HAS_ATLAS, HAS_SUN_MAPS, HAS_BOUNCE, HAS_SCENE_LIGHTS)
 
 #include "lib/frame.glsl"
 #include "lib/limits.glsl"
@@ -59,6 +59,25 @@ vec4 cellMean(vec4 v, ivec2 p)
     return row + first.y * dFdy(row);
 }
 #endif
+
+// The frame of the surface's lobe, in eye space.
+mat3 frameOf(Surface s)
+{
+#ifdef HAS_ANISOTROPY
+    if (dot(s.brushed, s.brushed) > 0.0) {
+        vec3 x = normalize(s.brushed);
+        return mat3(x, cross(s.normal, x), s.normal);
+    }
+#endif
+    return frameAround(s.normal);
+}
+
+// The direction to the eye in the frame about a normal, above the surface.
+vec3 localView(vec3 ray, mat3 frame)
+{
+    vec3 v = -ray * frame;
+    return normalize(vec3(v.xy, max(v.z, 1e-4)));
+}
 
 // Narrower lobes would hold too few of the map's lights.
 const float LEAST_ALPHA = 0.3;
@@ -129,6 +148,9 @@ Layers layersOf(Surface s)
 {
     Layers layers;
     layers.base = bsdfOf(s.brdf, s.f0, s.roughness, max(-dot(s.normal, s.ray), 1e-4));
+#ifdef HAS_ANISOTROPY
+    if (s.anisotropy > 0.0) layers.base = anisotropicBsdfOf(s.f0, s.roughness, s.anisotropy, localView(s.ray, frameOf(s)));
+#endif
 #ifdef HAS_COATS
     vec2 table = lobeAlbedo(BRDF_COOK_TORRANCE, s.coat.roughness, max(-dot(s.coatNormal, s.ray), 1e-4));
     layers.coat = coatBsdf(s.coat, table);
@@ -137,18 +159,11 @@ Layers layersOf(Surface s)
     return layers;
 }
 
-// The direction to the eye in the frame about a normal, above the surface.
-vec3 localView(vec3 ray, mat3 frame)
-{
-    vec3 v = -ray * frame;
-    return normalize(vec3(v.xy, max(v.z, 1e-4)));
-}
-
 #ifdef HAS_SCENE_LIGHTS
 // What the surface's lobes send to the eye of the application's lights, and what its Lambert layer receives, over pi.
 void addSceneLights(Surface s, Layers layers, inout vec3 glint, inout vec3 received)
 {
-    mat3 eyeFromLocal = frameAround(s.normal);
+    mat3 eyeFromLocal = frameOf(s);
     vec3 v = localView(s.ray, eyeFromLocal);
 #ifdef HAS_COATS
     mat3 eyeFromCoat = frameAround(s.coatNormal);
@@ -171,7 +186,7 @@ void addSceneLights(Surface s, Layers layers, inout vec3 glint, inout vec3 recei
 // What the lobe sends to the eye of the map, over its albedo. Half of a GGX lobe's energy lies within a cone of about tan = alpha.
 vec3 mirrored(Bsdf b, vec3 ray, vec3 normal)
 {
-    float lod = log2(max(b.roughness * b.roughness * pyramidSide, 1.0));
+    float lod = log2(max(evenAlpha(b) * pyramidSide, 1.0));
     return pyramidLookup(pyramidMap, pyramidSide, pyramidLastLevel, mapFromEyeForward * reflect(ray, normal), lod);
 }
 #endif
@@ -188,7 +203,7 @@ void main()
     vec3 irradiance = irradianceOverPi(mapNormal) * seen.light;
     vec3 sunGlint = vec3(0.0);
 #ifdef HAS_SUNS
-    mat3 mapFromLocal = frameAround(mapNormal);
+    mat3 mapFromLocal = mapFromEyeForward * frameOf(s);
     vec3 local = localView(mapFromEyeForward * s.ray, mapFromLocal);
     Bsdf shiny = b;  // a sun's mirror image is a disc of few pixels
     shiny.roughness = max(b.roughness, 0.03);

@@ -2,10 +2,12 @@
 // Reading the G-buffer in a full-screen pass.
 #ifndef GBUFFER_GLSL
 #define GBUFFER_GLSL
-#pragma import_defines(HAS_COATS)
+#pragma import_defines(HAS_COATS, HAS_ANISOTROPY)
 
+#include "lib/anisotropy.glsl"
 #include "lib/brdfs.glsl"
 #include "lib/depth.glsl"
+#include "lib/frame.glsl"
 #include "lib/fresnel.glsl"
 #include "lib/octahedral.glsl"
 
@@ -100,7 +102,7 @@ vec3 pixelView(ivec2 p, mat3 eyeFromLocal)
     return normalize(v);
 }
 
-// Number of the BRDF in the bits 8 to 10. The others are 0, or say how the coat of a coated surface is.
+// Number of the BRDF, with the parameters of a coat or of anisotropy [packKind()].
 uint pixelKind(ivec2 p)
 {
     return uint(texelFetch(specularMap, p, 0).a * 65535.0 + 0.5);
@@ -109,7 +111,7 @@ uint pixelKind(ivec2 p)
 #ifdef HAS_COATS
 bool isCoated(ivec2 p)
 {
-    return int(pixelKind(p) >> 8 & 7u) == BRDF_COATED;
+    return kindBrdf(pixelKind(p)) == BRDF_COATED;
 }
 
 vec3 pixelCoatNormal(ivec2 p)
@@ -121,11 +123,33 @@ vec3 pixelCoatNormal(ivec2 p)
 // Of a coated surface what is below the coat.
 int pixelBrdf(ivec2 p)
 {
-    int brdf = int(pixelKind(p) >> 8 & 7u);
+    int brdf = kindBrdf(pixelKind(p));
 #ifdef HAS_COATS
     if (brdf == BRDF_COATED) return BRDF_COOK_TORRANCE;
 #endif
+#ifdef HAS_ANISOTROPY
+    if (brdf == BRDF_ANISOTROPIC) return BRDF_COOK_TORRANCE;
+#endif
     return brdf;
+}
+
+#ifdef HAS_ANISOTROPY
+Anisotropy pixelAnisotropy(ivec2 p)
+{
+    uint kind = pixelKind(p);
+    return unpackAnisotropy(kindBrdf(kind) == BRDF_ANISOTROPIC ? kindParameters(kind) : 0u);
+}
+#endif
+
+// The frame of the pixel's lobe about its normal n, in eye space.
+mat3 pixelFrame(ivec2 p, vec3 n)
+{
+    mat3 frame = frameAround(n);
+#ifdef HAS_ANISOTROPY
+    Anisotropy a = pixelAnisotropy(p);
+    if (a.strength > 0.0) frame = turnedFrame(frame, a.angle);
+#endif
+    return frame;
 }
 
 vec3 pixelAlbedo(ivec2 p)

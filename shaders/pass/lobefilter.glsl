@@ -22,7 +22,11 @@ LobeSums filteredLobes(ivec2 p, ivec2 direction)
 {
     LobeReceiver receiver = lobeReceiver(p);
     float narrowness = lobeNarrowness(receiver.roughness, SHARED_TURN);
-    float seenNarrowness = lobeNarrowness(receiver.roughness, SHARED_VISIBILITY_TURN);
+    float litRoughness = receiver.roughness;
+#ifdef HAS_ANISOTROPY
+    if (pixelAnisotropy(p).strength > 0.0) litRoughness = max(litRoughness, LEAST_LIT_BRUSHED);
+#endif
+    float seenNarrowness = lobeNarrowness(litRoughness, SHARED_VISIBILITY_TURN);
     int halfWidth = 2 * filterCells;
     ivec2 last = ivec2(viewportSize) - 1;
     LobeSums sums = LobeSums(vec4(0.0), LobeLights(vec3(0.0), vec3(0.0), vec2(0.0)));

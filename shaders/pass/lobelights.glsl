@@ -29,7 +29,7 @@ struct PixelLobe {
 
 PixelLobe pixelLobe(mat3 lightsFromLocal, vec3 view, Bsdf bsdf)
 {
-    float dealt = smoothstep(DEALT_ROUGHNESS.x, DEALT_ROUGHNESS.y, bsdf.roughness);
+    float dealt = smoothstep(DEALT_ROUGHNESS.x, DEALT_ROUGHNESS.y, evenRoughness(bsdf));
     return PixelLobe(lightsFromLocal, view, bsdf, dealt, 0, uvec4(0u), 0u);
 }
 
@@ -44,10 +44,10 @@ int nearLight(PixelLobe lobe, int k)
 void addToLobe(PixelLobe lobe, vec4 flux, vec3 direction, bool isSeen, float count, inout LobeLights sums)
 {
     vec3 l = direction * lobe.lightsFromLocal;
-    float alpha = lobe.bsdf.roughness * lobe.bsdf.roughness;
+    float alpha = evenAlpha(lobe.bsdf);
     // Times alpha^2, about one over the lobe's peak: the sums are kept in half floats.
     vec3 e = flux.rgb * bsdfLobe(lobe.bsdf, lobe.view, l) * (count * alpha * alpha);
-    float s = flux.a * lobeShare(lobe.view, l, alpha) * count;
+    float s = flux.a * lobeShare(lobe.view, l, lobeAlpha(lobe.bsdf)) * count;
     float seen = isSeen ? 1.0 : 0.0;
     sums.seen += seen * e;
     sums.all += e;

@@ -30,12 +30,22 @@ const float MIRROR_ALPHA = 0.0009;
 
 struct LobePixel {
     Bsdf bsdf;
-    float alpha;
+    float alpha;      // of the lobe, or of an even one as wide
     vec3 view;        // local
     mat3 mapFromLocal;
     float group;      // number in its cell, less apart where fewer pixels share their lobes
     float companions; // pixels that the filter averages with this one
+    int samples;
 };
+
+// A lobe that is drawn out takes more samples, or they would lie farther apart along it than it is wide.
+const float MOST_SAMPLES = 4.0;  // times those of an even lobe
+
+int samplesOf(Bsdf b)
+{
+    vec2 alpha = vec2(lobeAlpha(b));
+    return int(float(specularSamples) * clamp(sqrt(alpha.x / alpha.y), 1.0, MOST_SAMPLES));
+}
 
 vec3 mirror(vec3 d)
 {
@@ -55,7 +65,7 @@ vec2 nextAzimuth(vec2 azimuth, vec2 turn)
 
 vec2 firstAzimuth(LobePixel l)
 {
-    return unitVector(TWO_PI * (cellPoint(0, l.group, specularSamples).x + 0.5 / float(specularSamples) + sampleShift.x));
+    return unitVector(TWO_PI * (cellPoint(0, l.group, l.samples).x + 0.5 / float(l.samples) + sampleShift.x));
 }
 
 // Where sample i lies between the lobe's middle and its end. The tails get more samples than their share of the lobe, each with less
@@ -68,14 +78,14 @@ struct Tail {
 // even: share of the samples that are spread as the lobe is.
 Tail sampleTail(LobePixel l, int i, float even)
 {
-    float left = max(1.0 - fract(cellPoint(i, l.group, specularSamples).y + sampleShift.y), 1e-15);
+    float left = max(1.0 - fract(cellPoint(i, l.group, l.samples).y + sampleShift.y), 1e-15);
     return Tail(left * mix(left, 1.0, even), mix(2.0 * left, 1.0, even));
 }
 
 // The level of the pyramid whose texels are as wide as one of the samples at density 1; half the density's log2 finer is right.
 float lodOfUnitDensity(LobePixel l)
 {
-    return log2(pyramidSide) - 0.5 * log2(4.0 * PI * float(specularSamples) * sampleFrames * l.companions);
+    return log2(pyramidSide) - 0.5 * log2(4.0 * PI * float(l.samples) * sampleFrames * l.companions);
 }
 
 vec3 filtered(vec3 d, float lod)
@@ -88,22 +98,23 @@ vec3 filtered(vec3 d, float lod)
 vec4 microfacets(LobePixel l)
 {
     vec3 v = l.view;
-    GgxCap cap = ggxCap(v, l.alpha);
-    float rootV = ggxRoot(v.z, l.alpha);
-    float pdfFactor = ggxPdfFactor(v.z, rootV, l.alpha);
+    LOBE_ALPHA alpha = lobeAlpha(l.bsdf);
+    GgxCap cap = ggxCap(v, alpha);
+    float rootV = ggxRoot(v, alpha);
+    float pdfFactor = ggxPdfFactor(v.z, rootV, alpha);
     float lodOfUnitSpread = lodOfUnitDensity(l) - 0.5 * log2(pdfFactor);
     vec2 azimuth = firstAzimuth(l);
-    vec2 turn = unitVector(TWO_PI / float(specularSamples));
+    vec2 turn = unitVector(TWO_PI / float(l.samples));
     vec3 num = vec3(0.0);
     vec3 den = vec3(0.0);
-    for (int i = 0; i < specularSamples; ++i) {
+    for (int i = 0; i < l.samples; ++i) {
         Tail tail = sampleTail(l, i, l.alpha);
         vec3 h = ggxCapNormal(cap, azimuth, 1.0 - tail.left);
         azimuth = nextAzimuth(azimuth, turn);
         float c = dot(v, h);
         vec3 d = 2.0 * c * h - v;
-        float spread = ggxSpread(h, l.alpha);
-        float w = d.z > 0.0 ? tail.count * ggxUnshadowed(v.z, rootV, d.z, ggxRoot(d.z, l.alpha)) : 0.0;
+        float spread = ggxSpread(h, alpha);
+        float w = d.z > 0.0 ? tail.count * ggxUnshadowed(v.z, rootV, d.z, ggxRoot(d, alpha)) : 0.0;
 #if defined(HAS_BECKMANN) || defined(HAS_BLINN_PHONG)
         if (l.bsdf.brdf != BRDF_COOK_TORRANCE)
             w = tail.count * bsdfMicrofacets(l.bsdf, v, d, h) * max(d.z, 0.0) * spread * spread / pdfFactor;
@@ -114,7 +125,7 @@ vec4 microfacets(LobePixel l)
     }
     // Of sums that are divided by the weights' share of their mean, the albedo, an even map has no noise.
     float weight = dot(den * l.bsdf.energy, vec3(1.0)) / max(dot(l.bsdf.reflected, vec3(1.0)), 1e-4);
-    return vec4(num * l.bsdf.energy, weight) / float(specularSamples);
+    return vec4(num * l.bsdf.energy, weight) / float(l.samples);
 }
 #endif
 
@@ -124,10 +135,10 @@ vec4 mirrorLobe(LobePixel l)
     float n = phongExponent(l.bsdf.roughness);
     mat3 lobe = frameAround(vec3(-l.view.x, -l.view.y, l.view.z));
     vec2 azimuth = firstAzimuth(l);
-    vec2 turn = unitVector(TWO_PI / float(specularSamples));
+    vec2 turn = unitVector(TWO_PI / float(l.samples));
     float unitLod = lodOfUnitDensity(l);
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < specularSamples; ++i) {
+    for (int i = 0; i < l.samples; ++i) {
         Tail tail = sampleTail(l, i, 0.0);
         float logU = log(tail.left);
         vec3 d = lobe * phongDirection(n, azimuth, logU);
@@ -135,7 +146,7 @@ vec4 mirrorLobe(LobePixel l)
         float lod = unitLod + 0.5 * (log(tail.count) - phongLogPdf(n, logU)) / log(2.0);
         sum += bsdfMirrored(l.bsdf, l.view.z, d.z) * (tail.count * max(d.z, 0.0)) * filtered(l.mapFromLocal * d, lod);
     }
-    return vec4((n + 2.0) / (n + 1.0) * sum / float(specularSamples), 1.0);
+    return vec4((n + 2.0) / (n + 1.0) * sum / float(l.samples), 1.0);
 }
 #endif
 

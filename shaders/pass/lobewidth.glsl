@@ -16,6 +16,10 @@ const float TRACED_ROUGHNESS = 0.5;      // below: the picture is searched for w
 const float SHARED_TURN = 0.2;
 const float SHARED_VISIBILITY_TURN = 1.0;
 
+// Where lobes are drawn out, what blocks them is asked about lobes that are at least so rough across: few of the lights lie in a narrow one,
+// each pixel knows others, and neighbours turned against each other do not share them.
+const float LEAST_LIT_BRUSHED = 0.3;
+
 // Below alphas of this range too few of a still view's lights would fall into the lobe.
 const vec2 LIGHTED_ALPHA = vec2(0.04, 0.1);
 

@@ -2,9 +2,9 @@
 // Textures of osgEnvLight::Material beside the base colour, each with coordinates of its own.
 #ifndef MATERIALMAPS_GLSL
 #define MATERIALMAPS_GLSL
-#pragma import_defines(NORMAL_MAP, METAL_ROUGH_MAP, EMISSION_MAP, COAT_MAP, COAT_ROUGHNESS_MAP, COAT_NORMAL_MAP, TEXTURE_STAGES)
+#pragma import_defines(NORMAL_MAP, METAL_ROUGH_MAP, EMISSION_MAP, COAT_MAP, COAT_ROUGHNESS_MAP, COAT_NORMAL_MAP, ENVLIGHT_ANISOTROPY, ANISOTROPY_MAP, TEXTURE_STAGES)
 
-#if defined(NORMAL_MAP) || defined(METAL_ROUGH_MAP) || defined(EMISSION_MAP)
+#if defined(NORMAL_MAP) || defined(METAL_ROUGH_MAP) || defined(EMISSION_MAP) || defined(ENVLIGHT_ANISOTROPY)
 #define HAS_MAPS
 #endif
 #if defined(COAT_MAP) || defined(COAT_ROUGHNESS_MAP) || defined(COAT_NORMAL_MAP)
@@ -20,20 +20,31 @@ vec2 mapCoordinate(int set, mat3 transform)
 }
 #endif
 
-#if defined(NORMAL_MAP) || defined(COAT_NORMAL_MAP) || defined(TEXTURE_STAGES)
-// The unit normal n about which a texel turns it, in tangents that follow from the coordinates [Schueler, GPU Pro 4 (2013)];
-// n where they do not change. up: -1 if the second coordinate is 0 at the picture's top.
-vec3 bentNormal(vec3 n, vec3 eye, vec2 st, vec3 texel, float scale, float up)
+#if defined(NORMAL_MAP) || defined(COAT_NORMAL_MAP) || defined(ENVLIGHT_ANISOTROPY) || defined(TEXTURE_STAGES)
+// The directions in the plane of the unit normal n in which each of the coordinates grows, as long as that is fast
+// [Schueler, GPU Pro 4 (2013)].
+struct Gradients {
+    vec3 s;
+    vec3 t;
+};
+
+Gradients coordinateGradients(vec3 n, vec3 eye, vec2 st)
 {
     vec3 across = cross(dFdy(eye), n);
     vec3 along = cross(n, dFdx(eye));
-    vec3 t = across * dFdx(st).x + along * dFdy(st).x;
-    vec3 b = across * dFdx(st).y + along * dFdy(st).y;
-    float size2 = max(dot(t, t), dot(b, b));
+    return Gradients(across * dFdx(st).x + along * dFdy(st).x, across * dFdx(st).y + along * dFdy(st).y);
+}
+
+// The unit normal n about which a texel turns it, in tangents that follow from the coordinates; n where they do not change.
+// up: -1 if the second coordinate is 0 at the picture's top.
+vec3 bentNormal(vec3 n, vec3 eye, vec2 st, vec3 texel, float scale, float up)
+{
+    Gradients g = coordinateGradients(n, eye, st);
+    float size2 = max(dot(g.s, g.s), dot(g.t, g.t));
     if (!(size2 > 0.0)) return n;
     vec3 m = texel * 2.0 - 1.0;
     m.xy *= scale * inversesqrt(size2);
-    vec3 bent = m.x * t + (up < 0.0 ? -m.y : m.y) * b + m.z * n;
+    vec3 bent = m.x * g.s + (up < 0.0 ? -m.y : m.y) * g.t + m.z * n;
     float size = length(bent);
     return size > 0.0 ? bent / size : n;
 }
@@ -73,6 +84,42 @@ uniform mat3 envlightEmissionMapTransform;
 vec3 mappedEmission()
 {
     return srgbDecode3(texture(envlightEmissionMap, mapCoordinate(envlightEmissionMapTexCoord, envlightEmissionMapTransform)).rgb);
+}
+#endif
+
+#ifdef ENVLIGHT_ANISOTROPY
+uniform float envlightAnisotropy;
+uniform vec2 envlightAnisotropyDirection;  // unit, along the first coordinate and to the picture's top
+uniform int envlightAnisotropyTexCoord;
+uniform float envlightAnisotropyUp;
+#ifdef ANISOTROPY_MAP
+uniform sampler2D envlightAnisotropyMap;
+uniform int envlightAnisotropyMapTexCoord;
+uniform mat3 envlightAnisotropyMapTransform;
+#endif
+
+// Strength, and the direction in which highlights are drawn out, of any length in the plane of the unit normal n. Where coordinates do not
+// change, the surface is as if it were turned on a lathe, about its third axis.
+vec4 surfaceAnisotropy(vec3 n, vec3 eye)
+{
+    vec2 d = envlightAnisotropyDirection;
+    float strength = envlightAnisotropy;
+    vec2 st = envlightAnisotropyTexCoord == 1 ? mapCoordinates.zw : mapCoordinates.xy;
+#ifdef ANISOTROPY_MAP
+    vec3 texel = texture(envlightAnisotropyMap, mapCoordinate(envlightAnisotropyMapTexCoord, envlightAnisotropyMapTransform)).rgb;
+    vec2 turn = texel.rg * 2.0 - 1.0;
+    d = vec2(d.x * turn.x - d.y * turn.y, d.x * turn.y + d.y * turn.x);
+    strength *= texel.b;
+#endif
+    Gradients g = coordinateGradients(n, eye, st);
+    vec3 t = cross(g.t, n);  // along a line of equal second coordinates
+    if (dot(t, g.s) < 0.0) t = -t;
+    float size = length(t);
+    vec3 lathe = cross(gl_ModelViewMatrix[2].xyz, n);
+    t = size > 0.0 ? t / size : lathe / max(length(lathe), 1e-20);
+    vec3 b = cross(n, t);
+    if (size > 0.0 && dot(b, g.t) * envlightAnisotropyUp < 0.0) b = -b;
+    return vec4(d.x * t + d.y * b, strength);
 }
 #endif
 

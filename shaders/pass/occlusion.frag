@@ -149,10 +149,14 @@ int bitNumber(uint bit)
 #ifdef HAS_LOBES
 PixelLobe lobeAt(ivec2 p, vec3 normal, int group)
 {
-    mat3 eyeFromLocal = frameAround(normal);
+    mat3 eyeFromLocal = pixelFrame(p, normal);
     float roughness = max(texelFetch(normalMap, p, 0).a, LEAST_LIT_ROUGHNESS);
     // What several scatterings add is the same for all lights.
     Bsdf bsdf = makeBsdf(pixelBrdf(p), pixelF0(p), roughness, vec2(1.0, 0.0));
+#ifdef HAS_ANISOTROPY
+    bsdf.anisotropy = pixelAnisotropy(p).strength;
+    if (bsdf.anisotropy > 0.0) bsdf.roughness = max(bsdf.roughness, LEAST_LIT_BRUSHED);
+#endif
     PixelLobe lobe = pixelLobe(lightsFromEye() * eyeFromLocal, pixelView(p, eyeFromLocal), bsdf);
 #ifdef HAS_ATLAS
     if (roughness < NEAR_LIGHTS_ROUGHNESS && bsdf.brdf != BRDF_LAMBERT) lobe = withNearLights(lobe, group);

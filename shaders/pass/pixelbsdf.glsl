@@ -3,7 +3,6 @@
 #ifndef PIXELBSDF_GLSL
 #define PIXELBSDF_GLSL
 
-#include "lib/frame.glsl"
 #include "pass/albedo.glsl"
 #include "pass/gbuffer.glsl"
 #ifdef HAS_COATS
@@ -23,17 +22,31 @@ PixelCoat pixelCoat(ivec2 p)
     c.normal = pixelCoatNormal(p);
     c.eyeFromLocal = frameAround(c.normal);
     c.view = pixelView(p, c.eyeFromLocal);
-    uint kind = pixelKind(p);
-    Coat coat = unpackCoat(kind >> 11 << 8 | kind & 255u);
+    Coat coat = unpackCoat(kindParameters(pixelKind(p)));
     c.bsdf = coatBsdf(coat, lobeAlbedo(BRDF_COOK_TORRANCE, coat.roughness, c.view.z));
     return c;
 }
 #endif
 
-// Seen under cosV; below its coat, if it has one.
-Bsdf pixelBsdf(ivec2 p, float cosV)
+// Unit vector to the eye in the frame of the pixel's lobe. Where no lobe has a direction of its own, only its height counts.
+vec3 lobeView(ivec2 p, vec3 n)
 {
-    Bsdf b = bsdfOf(pixelBrdf(p), pixelF0(p), texelFetch(normalMap, p, 0).a, cosV);
+#ifdef HAS_ANISOTROPY
+    return pixelView(p, pixelFrame(p, n));
+#else
+    return vec3(0.0, 0.0, max(-dot(n, viewRay(inverseProjection, pixelNdc(p))), 1e-4));
+#endif
+}
+
+// Seen from v, in its frame; below its coat, if it has one.
+Bsdf pixelBsdf(ivec2 p, vec3 v)
+{
+    float roughness = texelFetch(normalMap, p, 0).a;
+#ifdef HAS_ANISOTROPY
+    float anisotropy = pixelAnisotropy(p).strength;
+    if (anisotropy > 0.0) return anisotropicBsdfOf(pixelF0(p), roughness, anisotropy, v);
+#endif
+    Bsdf b = bsdfOf(pixelBrdf(p), pixelF0(p), roughness, v.z);
 #ifdef HAS_COATS
     if (isCoated(p)) b = belowCoat(b, pixelCoat(p).bsdf.reflected);
 #endif
@@ -43,8 +56,7 @@ Bsdf pixelBsdf(ivec2 p, float cosV)
 // The directional albedo of a pixel's lobe, of what is below the coat.
 vec3 pixelReflected(ivec2 p)
 {
-    float cosV = max(-dot(pixelNormal(p), viewRay(inverseProjection, pixelNdc(p))), 1e-4);
-    return pixelBsdf(p, cosV).reflected;
+    return pixelBsdf(p, lobeView(p, pixelNormal(p))).reflected;
 }
 
 #endif

@@ -85,13 +85,13 @@ void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
     TopLobe lobe = topLobe(p);
-    float roughness = lobe.bsdf.roughness;
+    float roughness = evenRoughness(lobe.bsdf);
     LobeLight light = topLight(p);
     vec3 reflected = lobe.bsdf.reflected;
     vec3 mean = meanAbout(p, lobe.normal);
     float level = max(brightness(light.specular / max(reflected, vec3(1e-3))), brightness(mean));
     vec4 met = roughness < NARROW_ROUGHNESS ? texelFetch(reflectionMap, p, 0) : cellMean(p, roughness, level);
-    float strength = 1.0 - smoothstep(TRACED_ROUGHNESS - 0.1, TRACED_ROUGHNESS, roughness);
+    float strength = 1.0 - smoothstep(TRACED_ROUGHNESS - 0.1, TRACED_ROUGHNESS, widestRoughness(lobe.bsdf));
     vec3 sent = reflected * (met.rgb + max(light.blocked.w - met.w, 0.0) * mean);
     // Rays that meet more than the maps know to be in the way hide the map, too.
     float open = min((1.0 - met.w) / max(1.0 - light.blocked.w, 1e-4), 1.0);

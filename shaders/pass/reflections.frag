@@ -25,13 +25,13 @@ const float HIT_TOLERANCE = 0.5;  // distance from a surface's plane at which a 
 vec3 lobeDirection(Bsdf b, vec3 v, int group)
 {
     vec3 mirrored = vec3(-v.x, -v.y, v.z);
-    if (b.roughness < NARROW_ROUGHNESS) return mirrored;
+    if (evenRoughness(b) < NARROW_ROUGHNESS) return mirrored;
     vec2 u = cellPoint(0, float(group), 1) + vec2(1.0 / 32.0);
 #if defined(HAS_PHONG) || defined(HAS_STRAUSS)
     if (isMirrored(b.brdf))
         return frameAround(mirrored) * phongSample(phongExponent(b.roughness), u);
 #endif
-    vec3 h = ggxVisibleNormalSample(v, b.roughness * b.roughness, u);
+    vec3 h = ggxVisibleNormalSample(v, lobeAlpha(b), u);
     return 2.0 * dot(v, h) * h - v;
 }
 
@@ -62,7 +62,7 @@ void main()
     ivec2 p = ivec2(gl_FragCoord.xy);
     TopLobe lobe = topLobe(p);
     vec3 n = lobe.normal;
-    mat3 eyeFromLocal = frameAround(n);
+    mat3 eyeFromLocal = lobe.eyeFromLocal;
     vec3 v = pixelView(p, eyeFromLocal);
     Bsdf b = lobe.bsdf;
     int group = bayer4(p.x, p.y);
@@ -76,12 +76,12 @@ void main()
     reflection = vec4(0.0);
     if (d.z <= 0.0) return;
     // Points between those of its neighbours, where these are averaged; else as they, so that edges are lines.
-    float phase = b.roughness < NARROW_ROUGHNESS ? 1.0 : (float(group) + 1.0) / 16.0;
+    float phase = evenRoughness(b) < NARROW_ROUGHNESS ? 1.0 : (float(group) + 1.0) / 16.0;
     ScreenHit hit = screenRayHit(depthMap, normalMap, ray, reflectionSteps, phase);
     if (!hit.found) return;
     float share = smoothstep(0.0, 0.1, hit.border);  // fades where the picture ends
     float tangent = 0.0;
-    if (b.roughness >= NARROW_ROUGHNESS)
-        tangent = CONE_WIDTH * inversesqrt(16.0 * PI * ggxReflectionPdf(v, normalize(v + d), b.roughness * b.roughness));
+    if (evenRoughness(b) >= NARROW_ROUGHNESS)
+        tangent = CONE_WIDTH * inversesqrt(16.0 * PI * ggxReflectionPdf(v, normalize(v + d), lobeAlpha(b)));
     reflection = share * vec4(coneRadiance(hit, tangent), 1.0);
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 // What surfaces reflect of the application's lights, without shadows, added to the emission: so everything that reads that has it.
 
-#include "lib/frame.glsl"
 #include "pass/gbuffer.glsl"
 #include "pass/pixelbsdf.glsl"
 #include "pass/scenelights.glsl"
@@ -18,10 +17,10 @@ void main()
     ivec2 p = ivec2(gl_FragCoord.xy);
     added = vec4(0.0);
     vec3 eye = pixelEye(p);
-    mat3 eyeFromLocal = frameAround(pixelNormal(p));
+    mat3 eyeFromLocal = pixelFrame(p, pixelNormal(p));
     vec3 v = pixelView(p, eyeFromLocal);
     vec3 albedo = pixelAlbedo(p);
-    Bsdf b = pixelBsdf(p, v.z);
+    Bsdf b = pixelBsdf(p, v);
 #ifdef HAS_COATS
     bool coated = isCoated(p);
     PixelCoat coat = pixelCoat(p);

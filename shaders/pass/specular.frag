@@ -27,12 +27,13 @@ LobePixel lobePixel(ivec2 p)
 {
     vec3 n = pixelNormal(p);
     float roughness = texelFetch(normalMap, p, 0).a;
-    mat3 eyeFromLocal = frameAround(n);
+    mat3 eyeFromLocal = pixelFrame(p, n);
     LobePixel l;
     l.view = pixelView(p, eyeFromLocal);
     l.mapFromLocal = mapFromEye * eyeFromLocal;
-    l.bsdf = pixelBsdf(p, l.view.z);
-    l.alpha = roughness * roughness;
+    l.bsdf = pixelBsdf(p, l.view);
+    l.alpha = evenAlpha(l.bsdf);
+    l.samples = samplesOf(l.bsdf);
     float narrowness = lobeNarrowness(roughness, SHARED_TURN);
     float viewTurn = pixelTurn(pixelNdc(p));
     l.companions = sampleFrames > 1.0 ? 1.0 : companionsAlong(p, ivec2(1, 0), viewTurn, narrowness) *

@@ -3,7 +3,7 @@
 // and of vertices, and of images without floats, are sRGB encoded; those of our Material are linear.
 #ifndef SURFACE_GLSL
 #define SURFACE_GLSL
-#pragma import_defines(HAS_SUN_MAPS, ENVLIGHT_COOK_TORRANCE, ENVLIGHT_LAMBERT, ENVLIGHT_PHONG, ENVLIGHT_STRAUSS, FACE_NORMAL, VERTEX_COLOR, UNLIT, NO_TEXTURE, LINEAR_TEXTURE, ALPHA_TEXTURE, TEXTURE_REPLACE, TEXTURE_DECAL, TEXTURE_BLEND, TEXTURE_ADD, PAINTED_REFLECTION, PHONG_MATERIAL, TWO_SIDED, ENVLIGHT_EMISSION, ENVLIGHT_DIELECTRIC, ENVLIGHT_COAT, WHITE)
+#pragma import_defines(HAS_SUN_MAPS, ENVLIGHT_COOK_TORRANCE, ENVLIGHT_LAMBERT, ENVLIGHT_PHONG, ENVLIGHT_STRAUSS, FACE_NORMAL, VERTEX_COLOR, UNLIT, NO_TEXTURE, LINEAR_TEXTURE, ALPHA_TEXTURE, TEXTURE_REPLACE, TEXTURE_DECAL, TEXTURE_BLEND, TEXTURE_ADD, PAINTED_REFLECTION, PHONG_MATERIAL, TWO_SIDED, ENVLIGHT_EMISSION, ENVLIGHT_DIELECTRIC, ENVLIGHT_COAT, ENVLIGHT_ANISOTROPY, WHITE)
 
 #include "lib/brdfs.glsl"
 #include "lib/bulge.glsl"
@@ -73,6 +73,8 @@ struct Surface {
     float metalness;
     vec3 coatNormal;
     Coat coat;
+    float anisotropy; // strength
+    vec3 brushed;     // the direction in which highlights are drawn out, of any length, square to the normal
     float bulge;     // of what the normals stand for above the facet, in shares of the distance to the eye: for the suns' maps alone
 };
 
@@ -188,6 +190,8 @@ Surface readSurface()
     s.bulge = surfaceBulge(facet, s.normal);
     s.coatNormal = s.normal;
     s.coat = Coat(0.0, 0.0);
+    s.anisotropy = 0.0;
+    s.brushed = vec3(0.0);
 #ifdef NORMAL_MAP
     s.normal = mappedNormal(s.normal, eyePosition);
 #endif
@@ -234,6 +238,11 @@ Surface readSurface()
 #endif
     s.f0 = mix(dielectric, base.rgb, roughMetal.y);
     s.roughness = roughMetal.x;
+#ifdef ENVLIGHT_ANISOTROPY
+    vec4 anisotropy = surfaceAnisotropy(s.normal, eyePosition);
+    s.anisotropy = anisotropy.w;
+    s.brushed = anisotropy.xyz;
+#endif
 #ifdef ENVLIGHT_COAT
     s.coat = Coat(envlightCoat, envlightCoatRoughness);
 #ifdef COAT_MAP

@@ -7,6 +7,7 @@
 
 struct TopLobe {
     vec3 normal;
+    mat3 eyeFromLocal;
     Bsdf bsdf;
 };
 
@@ -15,11 +16,11 @@ TopLobe topLobe(ivec2 p)
 #ifdef HAS_COATS
     if (isCoated(p)) {
         PixelCoat coat = pixelCoat(p);
-        return TopLobe(coat.normal, coat.bsdf);
+        return TopLobe(coat.normal, coat.eyeFromLocal, coat.bsdf);
     }
 #endif
     vec3 n = pixelNormal(p);
-    return TopLobe(n, pixelBsdf(p, max(-dot(n, viewRay(inverseProjection, pixelNdc(p))), 1e-4)));
+    return TopLobe(n, pixelFrame(p, n), pixelBsdf(p, lobeView(p, n)));
 }
 
 #endif

@@ -32,7 +32,7 @@ const std::vector<Defines> alternatives = {
 const std::vector<std::pair<std::string, std::string>> needs = {
     {"SUNS_OVER_4", "SUNS_OVER_2"},     {"SUNS_OVER_6", "SUNS_OVER_4"},  {"BACKGROUND_BLUR", "BACKGROUND"},
     {"HAS_OCCLUSION", "HAS_DIFFUSE"},   {"HAS_BOUNCE", "HAS_OCCLUSION"}, {"SUN_DIFFUSE", "HAS_SUNS"},
-    {"HAS_NEIGHBOURHOOD", "HAS_ATLAS"}, {"HAS_LOBES", "HAS_ATLAS"},
+    {"HAS_NEIGHBOURHOOD", "HAS_ATLAS"}, {"HAS_LOBES", "HAS_ATLAS"},      {"HAS_ANISOTROPY", "HAS_COOK_TORRANCE"},
 };
 
 void extend(const Defines& defines, size_t next, Defines& set, std::vector<Defines>& result)
@@ -53,7 +53,8 @@ void extend(const Defines& defines, size_t next, Defines& set, std::vector<Defin
 }
 
 // Lobes stand beside each other: a product has none or all of them; someSets() has each, and all pairs.
-const Defines lobes = {"HAS_PHONG", "HAS_COOK_TORRANCE", "HAS_BLINN_PHONG", "HAS_BECKMANN", "HAS_STRAUSS", "HAS_COATS"};
+const Defines lobes = {"HAS_PHONG",   "HAS_COOK_TORRANCE", "HAS_BLINN_PHONG", "HAS_BECKMANN",
+                       "HAS_STRAUSS", "HAS_ANISOTROPY",    "HAS_COATS"};
 
 std::vector<Defines> product(const Defines& defines)
 {

@@ -76,6 +76,20 @@ TEST(parity, ggxBrdf)
         lobeRows(72), [](auto& in) { return vec4(glsl::ggxBrdf(xyz(in[0]), xyz(in[2]), in[0].w), 0, 0, 0); }, tolerance);
 }
 
+// Both alphas apart: that of the row along x, its root along y.
+TEST(parity, ggxAnisotropic)
+{
+    const std::vector<Row> rows = lobeRows(73);
+    const auto alphas = [](double alpha) { return vec2(alpha, std::sqrt(alpha)); };
+    expectParity(
+        {"lib/ggx.glsl"}, "vec2 t = vec2(a.w, sqrt(a.w)); result = vec4(ggxD(b.xyz, t), ggxRoot(a.xyz, t), 0.0, 0.0);", rows,
+        [&](auto& in) { return vec4(glsl::ggxD(xyz(in[1]), alphas(in[0].w)), glsl::ggxRoot(xyz(in[0]), alphas(in[0].w)), 0, 0); },
+        within(4e-6));
+    expectParity(
+        {"lib/ggx.glsl"}, "result = vec4(ggxReflectionPdf(a.xyz, b.xyz, vec2(a.w, sqrt(a.w))), 0.0, 0.0, 0.0);", rows,
+        [&](auto& in) { return vec4(glsl::ggxReflectionPdf(xyz(in[0]), xyz(in[1]), alphas(in[0].w)), 0, 0, 0); }, within(4e-6));
+}
+
 TEST(parity, ggxVisibleNormalSample)
 {
     Random random(73);

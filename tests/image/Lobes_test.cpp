@@ -51,6 +51,24 @@ osg::ref_ptr<LitScene> coatedBall(const char* map, float metalness, float coatRo
     return lit;
 }
 
+// Of brushed metal. mapped: by texture coordinates, once around and once from pole to pole; else turned on a lathe.
+osg::ref_ptr<LitScene> brushedBall(const char* map, float roughness, float strength, float rotation, bool mapped)
+{
+    const osg::ref_ptr<LitScene> lit = specularOf(map);
+    osg::StateSet& s = *lit->getChild(0)->getOrCreateStateSet();
+    Material::setCookTorrance(s, osg::Vec3f(0.9f, 0.6f, 0.3f), 1.0f, roughness);
+    Material::setAnisotropy(s, strength, rotation);
+    if (!mapped) return lit;
+    osg::Geometry& ball = *lit->getChild(0)->asGeode()->getDrawable(0)->asGeometry();
+    const auto& normals = static_cast<const osg::Vec3Array&>(*ball.getNormalArray());
+    osg::ref_ptr<osg::Vec2Array> coordinates = new osg::Vec2Array;
+    const unsigned columns = 129;
+    for (unsigned i = 0; i < normals.size(); ++i)
+        coordinates->push_back(osg::Vec2(float(i % columns) / 128.0f, 1.0f - float(i / columns) / 64.0f));
+    ball.setTexCoordArray(0, coordinates);
+    return lit;
+}
+
 double errorOf(LitScene& lit, unsigned suns)
 {
     SceneRenderer renderer(96, 96);
@@ -101,6 +119,20 @@ TEST(Lobes, OfCoatsAndWhatIsBelow)
                     std::to_string(error));
                 EXPECT_LT(error, 0.01) << map << " " << metalness << " " << roughness;
             }
+}
+
+// Highlights that are drawn out, around a lathe's axis and aslant. tRMSE, measured: .3 to .9 % under studio, .2 to 1.3 % under
+// sky, most where the lobe is smooth across and all drawn out.
+TEST(Lobes, OfBrushedMetal)
+{
+    for (const char* map : {"studio", "sky"})
+        for (const float roughness : {0.05f, 0.2f, 0.5f})
+            for (const float strength : {0.4f, 1.0f})
+                for (const bool mapped : {false, true}) {
+                    const double error =
+                        errorOf(*brushedBall(map, roughness, strength, mapped ? 30.0f : 0.0f, mapped), map[1] == 'k' ? 1 : 0);
+                    EXPECT_LT(error, 0.015) << map << " " << roughness << " " << strength << " " << mapped;
+                }
 }
 
 // What is not in view is not compiled.

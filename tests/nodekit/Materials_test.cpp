@@ -149,6 +149,25 @@ TEST_F(Materials, CoatsAndIndicesOfRefraction)
     EXPECT_FALSE(build({"a"}, R"({"a": {"brdf": "strauss", "coat": 1}})"));
 }
 
+TEST_F(Materials, Anisotropy)
+{
+    const osg::ref_ptr<LitScene> lit = build(
+        {"a", "b"}, R"({"a": {"brdf": "cook-torrance", "anisotropy": 0.5, "anisotropyRotation": 60}, "b": {"brdf": "phong"}})");
+    ASSERT_TRUE(lit) << error;
+    EXPECT_EQ(0.5f, number(stateSet(*lit, 0), "envlightAnisotropy"));
+    osg::Vec2f direction;
+    ASSERT_TRUE(stateSet(*lit, 0).getUniform("envlightAnisotropyDirection"));
+    stateSet(*lit, 0).getUniform("envlightAnisotropyDirection")->get(direction);
+    EXPECT_NEAR(0.5, direction.x(), 1e-6);
+    EXPECT_NEAR(std::sqrt(0.75), direction.y(), 1e-6);
+    EXPECT_EQ(-1.0f, number(stateSet(*lit, 1), "envlightAnisotropy"));
+    EXPECT_FALSE(build({"a"}, R"({"a": {"brdf": "cook-torrance", "normals": "beckmann", "anisotropy": 1}})"));
+    EXPECT_NE(std::string::npos, error.find("'materials.a.anisotropy'")) << error;
+    EXPECT_FALSE(build({"a"}, R"({"a": {"brdf": "cook-torrance", "coat": 1, "anisotropy": 1}})"));
+    EXPECT_FALSE(build({"a"}, R"({"a": {"brdf": "cook-torrance", "anisotropy": 1.5}})"));
+    EXPECT_NE(std::string::npos, error.find("0..1")) << error;
+}
+
 namespace
 {
 
@@ -205,6 +224,23 @@ TEST_F(Materials, ACoatReflectsAsGlass)
     EXPECT_NEAR(0.04, of(1.0f, false), 0.001);
     EXPECT_NEAR(of(1.0f, false), of(1.0f, true), 0.001);
     EXPECT_NEAR(16.0 / 31.0 * of(1.0f, false), of(0.5f, false), 1e-4);  // kept to 1/31
+}
+
+// White metal gives back all that it gets, brushed or not, wherever it is drawn: within the 1 % by which the table is fitted.
+TEST_F(Materials, BrushedMetalGivesBackAllThatItGets)
+{
+    for (const bool forward : {false, true})
+        for (const float roughness : {0.0f, 0.3f, 0.8f})
+            for (const float strength : {0.0f, 0.5f, 1.0f})
+                EXPECT_NEAR(1.0,
+                            reflectedBy(
+                                [&](osg::StateSet& s) {
+                                    Material::setCookTorrance(s, osg::Vec3f(1, 1, 1), 1.0f, roughness);
+                                    Material::setAnisotropy(s, strength);
+                                },
+                                forward),
+                            0.01)
+                    << forward << " " << roughness << " " << strength;
 }
 
 // The pass of coats runs for coats alone.

@@ -125,7 +125,13 @@ void PassBuilder::readGBuffer()
     read("normal", "normalMap");
     read("specular properties", "specularMap");
     read("depth", "depthMap");
-    define("HAS_COATS", _context.facts.surfaces.hasCoats());
+    defineKinds(_context.facts.surfaces.lobes);
+}
+
+void PassBuilder::defineKinds(unsigned lobes)
+{
+    define("HAS_COATS", (lobes & SurfaceKinds::COATS) != 0);
+    define("HAS_ANISOTROPY", (lobes & SurfaceKinds::ANISOTROPY) != 0);
 }
 
 }  // namespace osgEnvLight

@@ -121,9 +121,8 @@ GBuffer* DeferredTechnique::gbufferOf(LitScene& node, LitView& vd)
 FrameContext DeferredTechnique::contextOf(LitScene& node, LitView& vd, const Settings& settings, MapTextures& textures,
                                           GBuffer& gbuffer, osgUtil::CullVisitor& cv, osgUtil::RenderStage& host)
 {
-    FrameContext c{cv,      host,      vd.frame(&cv),  settings,      textures,
-                   gbuffer, *_library, vd.atlasLights, vd.viewport(), albedoTable(),
-                   this,    nullptr,   vd.number()};
+    FrameContext c{cv,      host, vd.frame(&cv), settings,   textures, gbuffer, *_library, vd.atlasLights, vd.viewport(),
+                   nullptr, this, nullptr,       vd.number()};
     vd.timed = node.isTimed();
     if (vd.timed) c.timer = vd.timer.get();
     const EnvironmentMap& map = *node.getEnvironmentMap();
@@ -145,6 +144,7 @@ void DeferredTechnique::light(FrameContext& c, LitView& vd, bool needsCarrier)
     if (needsCarrier) c.facts.carrier = c.textures.carrier();
     c.facts.suns = c.textures.sunShare();
     c.decisions = Decisions::make(c.facts, c.settings);
+    c.albedoTable = albedoTable(c.facts.surfaces.anisotropic());
     vd.graph.run(c);
     vd.forgetUnused(c.frame);
     _waiting = c.waitingMaps + c.waitingBounces;
@@ -323,23 +323,25 @@ Average DeferredTechnique::average() const
 size_t DeferredTechnique::bytes() const
 {
     std::lock_guard<std::mutex> lock(_mutex);
-    size_t sum = (_textures ? _textures->bytes() : 0) + (_albedoTable ? _albedoTable->getImage()->getTotalSizeInBytes() : 0);
+    size_t sum = _textures ? _textures->bytes() : 0;
+    for (const auto& table : _albedoTables) sum += table ? table->getImage()->getTotalSizeInBytes() : 0;
     for (const auto& [key, view] : _views) sum += view->bytes();
     return sum + _retired->bytes();
 }
 
-osg::Texture* DeferredTechnique::albedoTable()
+osg::Texture* DeferredTechnique::albedoTable(bool anisotropic)
 {
-    if (!_albedoTable) {
-        _albedoTable = new osg::Texture2D(albedoTableImage());
-        _albedoTable->setResizeNonPowerOfTwoHint(false);
-        _albedoTable->setInternalFormat(GL_RG32F);
-        _albedoTable->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR);
-        _albedoTable->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
-        _albedoTable->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
-        _albedoTable->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
+    osg::ref_ptr<osg::Texture2D>& table = _albedoTables[anisotropic];
+    if (!table) {
+        table = new osg::Texture2D(albedoTableImage(anisotropic));
+        table->setResizeNonPowerOfTwoHint(false);
+        table->setInternalFormat(GL_RG32F);
+        table->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR);
+        table->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
+        table->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
+        table->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
     }
-    return _albedoTable.get();
+    return table.get();
 }
 
 void DeferredTechnique::resizeGLObjectBuffers(unsigned maximum)
@@ -347,7 +349,8 @@ void DeferredTechnique::resizeGLObjectBuffers(unsigned maximum)
     std::lock_guard<std::mutex> lock(_mutex);
     _library->resizeGLObjectBuffers(maximum);
     if (_textures) _textures->resizeGLObjectBuffers(maximum);
-    if (_albedoTable) _albedoTable->resizeGLObjectBuffers(maximum);
+    for (const auto& table : _albedoTables)
+        if (table) table->resizeGLObjectBuffers(maximum);
     for (auto& [key, view] : _views) view->resizeGLObjectBuffers(maximum);
 }
 
@@ -358,7 +361,8 @@ void DeferredTechnique::release(osg::State* state, Condition drops) const
     std::lock_guard<std::mutex> lock(_mutex);
     _library->releaseGLObjects(state);
     if (_textures) _textures->releaseGLObjects(state);
-    if (_albedoTable) _albedoTable->releaseGLObjects(state);
+    for (const auto& table : _albedoTables)
+        if (table) table->releaseGLObjects(state);
     _retired->releaseGLObjects(state);
     for (auto it = _views.begin(); it != _views.end();) {
         const bool dropped = drops(*it->second);

@@ -96,7 +96,7 @@ class OSGENVLIGHT_EXPORT DeferredTechnique : public ContextWatch::Listener
     bool hasSettled(const FrameContext& context) const;
     template <class Condition>
     void release(osg::State* state, Condition drops) const;
-    osg::Texture* albedoTable();
+    osg::Texture* albedoTable(bool anisotropic);
 
     mutable std::mutex _mutex;
     osg::ref_ptr<ShaderLibrary> _library;
@@ -112,8 +112,8 @@ class OSGENVLIGHT_EXPORT DeferredTechnique : public ContextWatch::Listener
     MapRegenerator _regenerator;
     std::atomic<unsigned> _waiting{0};  // for frames: shadow maps and bounces of the last view
     std::atomic<unsigned> _drawnSunMaps{0};
-    osg::ref_ptr<osg::Texture2D> _albedoTable;
-    osg::ref_ptr<const Settings> _settings;  // the last valid ones
+    osg::ref_ptr<osg::Texture2D> _albedoTables[2];  // without and with blocks for brushed surfaces
+    osg::ref_ptr<const Settings> _settings;         // the last valid ones
     osg::ref_ptr<RetiredObjects> _retired;
     mutable std::map<Key, osg::ref_ptr<LitView>> _views;
     std::map<std::pair<const osg::Referenced*, const osg::Referenced*>, Visit> _visits;

@@ -60,7 +60,9 @@ MaterialDescription readMaterial(const Value& v, const std::string& name)
         v.object({"brdf", "diffuse", "specular", "exponent"}, "a material");
         m.brdf = brdf == "phong" ? Material::PHONG : Material::BLINN_PHONG;
     } else if (brdf == "cook-torrance") {
-        v.object({"brdf", "baseColor", "metalness", "roughness", "normals", "ior", "coat", "coatRoughness"}, "a material");
+        v.object({"brdf", "baseColor", "metalness", "roughness", "normals", "ior", "coat", "coatRoughness", "anisotropy",
+                  "anisotropyRotation"},
+                 "a material");
         m.brdf = Material::COOK_TORRANCE;
     } else if (brdf == "strauss") {
         v.object({"brdf", "baseColor", "metalness", "smoothness"}, "a material");
@@ -82,6 +84,11 @@ MaterialDescription readMaterial(const Value& v, const std::string& name)
     if (v.has("ior")) m.ior = float(v["ior"].number(1, 4, "an index of refraction in 1..4"));
     if (v.has("coat")) m.coat = float(v["coat"].number(0, 1, "a number in 0..1"));
     if (v.has("coatRoughness")) m.coatRoughness = float(v["coatRoughness"].number(0, 1, "a number in 0..1"));
+    if (v.has("anisotropy")) m.anisotropy = float(v["anisotropy"].number(0, 1, "a number in 0..1"));
+    if (v.has("anisotropyRotation"))
+        m.anisotropyRotation = float(v["anisotropyRotation"].number(-1e6, 1e6, "an angle in degrees"));
+    if (m.anisotropy > 0.0f && (m.brdf != Material::COOK_TORRANCE || m.coat > 0.0f))
+        v["anisotropy"].fail("anisotropy only on a surface without a coat whose normals are \"ggx\"");
     if (m.coat > 0.0f && m.brdf != Material::COOK_TORRANCE) v["coat"].fail("a coat only on a surface whose normals are \"ggx\"");
     if (v.has("roughness")) m.roughness = float(v["roughness"].number(0, 1, "a number in 0..1"));
     for (int i = 0; i < 3; ++i)
@@ -228,6 +235,8 @@ class MaterialVisitor : public osg::NodeVisitor
         // What the model's own material had goes.
         if (m.ior != 1.5f || s.getUniform(MaterialMaps::dielectric)) Material::setDielectric(s, m.ior);
         if (m.coat > 0.0f || s.getUniform(MaterialMaps::coat)) Material::setCoat(s, m.coat, m.coatRoughness);
+        if (m.anisotropy > 0.0f || s.getUniform(MaterialMaps::anisotropy))
+            Material::setAnisotropy(s, m.anisotropy, m.anisotropyRotation);
     }
 
     const std::vector<MaterialDescription>& _materials;

@@ -109,7 +109,7 @@ void ForwardPass::setup(PassBuilder& b, FrameContext& c)
     }
     b.bind(c.albedoTable, "albedoTable");
     defineLobes(b, c.facts.surfaces.forwardLobes);
-    b.define("HAS_COATS", (c.facts.surfaces.forwardLobes & SurfaceKinds::COATS) != 0);
+    b.defineKinds(c.facts.surfaces.forwardLobes);
     b.define("OUTPUT_LINEAR", c.settings.output == Settings::LINEAR);
     if (c.decisions.suns.needed) {
         b.define("HAS_SUNS");

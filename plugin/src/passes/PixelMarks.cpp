@@ -17,7 +17,7 @@ void PixelMarksPass::setup(PassBuilder& b, FrameContext& c)
 {
     b.read("specular properties", "specularMap");
     b.read("depth", "depthMap");
-    b.define("HAS_COATS", c.facts.surfaces.hasCoats());
+    b.defineKinds(c.facts.surfaces.lobes);
     if (c.facts.surfaces.hasLobes()) {
         b.define("HAS_LOBES");
         b.read("normal", "normalMap");

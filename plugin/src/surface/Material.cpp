@@ -6,6 +6,7 @@
 #include <osg/Uniform>
 
 #include <algorithm>
+#include <cmath>
 
 namespace osgEnvLight
 {
@@ -104,6 +105,20 @@ void Material::setCoat(osg::StateSet& stateSet, float strength, float roughness)
 {
     setUniform(stateSet, MaterialMaps::coat, strength);
     setUniform(stateSet, MaterialMaps::coatRoughness, roughness);
+}
+
+void Material::setAnisotropy(osg::StateSet& stateSet, float strength, float rotation, bool topIsZero, int set)
+{
+    const double angle = osg::DegreesToRadians(double(rotation));
+    setUniform(stateSet, MaterialMaps::anisotropy, strength);
+    setUniform(stateSet, MaterialMaps::anisotropyDirection, osg::Vec2f(float(std::cos(angle)), float(std::sin(angle))));
+    setUniform(stateSet, MaterialMaps::anisotropyTexCoord, set);
+    setUniform(stateSet, MaterialMaps::anisotropyUp, topIsZero ? -1.0f : 1.0f);
+}
+
+void Material::setAnisotropyMap(osg::StateSet& stateSet, osg::Texture2D* map, int set, unsigned unit)
+{
+    setMap(stateSet, MaterialMaps::anisotropyMap, map, set, unit);
 }
 
 void Material::setCoatMap(osg::StateSet& stateSet, osg::Texture2D* map, int set, unsigned unit)

@@ -11,12 +11,15 @@ struct MaterialMaps {
     static constexpr const char* normal = "envlightNormalMap";
     static constexpr const char* metalRough = "envlightMetalRoughMap";
     static constexpr const char* emissionMap = "envlightEmissionMap";
+    static constexpr const char* anisotropyMap = "envlightAnisotropyMap";
     static constexpr const char* coatMap = "envlightCoatMap";
     static constexpr const char* coatRoughnessMap = "envlightCoatRoughnessMap";
     static constexpr const char* coatNormalMap = "envlightCoatNormalMap";
     /** In the order of SurfaceSorter's variants; from firstOfCoat on they are of the coat. */
-    static constexpr const char* samplers[] = {normal, metalRough, emissionMap, coatMap, coatRoughnessMap, coatNormalMap};
-    static constexpr unsigned firstOfCoat = 3;
+    static constexpr const char* samplers[] = {normal,  metalRough,       emissionMap,  anisotropyMap,
+                                               coatMap, coatRoughnessMap, coatNormalMap};
+    static constexpr unsigned ofAnisotropy = 3;
+    static constexpr unsigned firstOfCoat = 4;
 
     static constexpr const char* vertexColors = "envlightVertexColors";  // bool: in place of the base colour
     static constexpr const char* normalScale = "envlightNormalScale";
@@ -27,6 +30,10 @@ struct MaterialMaps {
     static constexpr const char* dielectric = "envlightDielectric";
     static constexpr const char* coat = "envlightCoat";
     static constexpr const char* coatRoughness = "envlightCoatRoughness";
+    static constexpr const char* anisotropy = "envlightAnisotropy";
+    static constexpr const char* anisotropyDirection = "envlightAnisotropyDirection";  // cosine and sine of its rotation
+    static constexpr const char* anisotropyTexCoord = "envlightAnisotropyTexCoord";    // whose tangents it goes by
+    static constexpr const char* anisotropyUp = "envlightAnisotropyUp";                // as normalUp
 };
 
 }  // namespace osgEnvLight

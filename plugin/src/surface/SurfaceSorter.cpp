@@ -116,20 +116,22 @@ class SurfaceSort
         return _states.emplace(sg, state).first->second;
     }
 
-    static unsigned textureBits(const SurfaceState& state)
+    static uint64_t textureBits(const SurfaceState& state)
     {
         using S = SurfaceSorter;
         if (!state.texture()) return S::NO_TEXTURE;
-        static const unsigned modes[] = {0, S::TEXTURE_REPLACE, S::TEXTURE_DECAL, S::TEXTURE_BLEND, S::TEXTURE_ADD};
-        static const unsigned coordinates[] = {0, S::TEXGEN_OBJECT, S::TEXGEN_EYE};
-        unsigned bits = modes[state.textureMode()] | coordinates[state.coordinates()];
+        static const uint64_t modes[] = {0, S::TEXTURE_REPLACE, S::TEXTURE_DECAL, S::TEXTURE_BLEND, S::TEXTURE_ADD};
+        static const uint64_t coordinates[] = {0, S::TEXGEN_OBJECT, S::TEXGEN_EYE};
+        uint64_t bits = modes[state.textureMode()] | coordinates[state.coordinates()];
         if (state.coordinates() != SurfaceState::FROM_VERTICES && state.projected()) bits |= S::TEXGEN_PROJECTED;
         const TextureFacts facts = state.textureFacts();
-        return bits | (facts.linear ? S::LINEAR_TEXTURE : 0u) | (facts.alphaOnly ? S::ALPHA_TEXTURE : 0u);
+        if (facts.linear) bits |= S::LINEAR_TEXTURE;
+        if (facts.alphaOnly) bits |= S::ALPHA_TEXTURE;
+        return bits;
     }
 
     // The parameters that a BRDF of ours has; its uniform says which of those it is.
-    static unsigned ownBits(int brdf)
+    static uint64_t ownBits(int brdf)
     {
         switch (brdf) {
             case Material::PHONG:
@@ -149,6 +151,7 @@ class SurfaceSort
     static unsigned lobeBits(const SurfaceState& state)
     {
         if (state.coated()) return 1u << Material::COOK_TORRANCE | SurfaceKinds::COATS;
+        if (state.anisotropic()) return 1u << Material::COOK_TORRANCE | SurfaceKinds::ANISOTROPY;
         if (state.brdf() >= 0) return state.brdf() == Material::LAMBERT ? 0u : 1u << state.brdf();
         if (state.paintedReflection()) return 1u << Material::COOK_TORRANCE;
         return state.phongMaterial() ? 1u << Material::BLINN_PHONG : 0u;
@@ -157,7 +160,7 @@ class SurfaceSort
     static SurfaceSorter::Variation variationOf(const SurfaceState& state)
     {
         using S = SurfaceSorter;
-        unsigned bits = textureBits(state);
+        uint64_t bits = textureBits(state);
         const SurfaceState::Stages stages = state.stages();
         for (const TextureStage& stage : stages)
             if (stage.kind != limits::STAGE_NONE) bits |= S::TEXTURE_STAGES;
@@ -171,8 +174,9 @@ class SurfaceSort
         if (state.clipped()) bits |= S::CLIP_PLANES;
         if (state.brdf() >= 0) bits |= ownBits(state.brdf());
         for (unsigned map = 0; map < std::size(MaterialMaps::samplers); ++map)
-            if (state.mapped(map)) bits |= unsigned(S::NORMAL_MAP) << map;
+            if (state.mapped(map)) bits |= uint64_t(S::NORMAL_MAP) << map;
         if (state.dielectric()) bits |= S::ENVLIGHT_DIELECTRIC;
+        if (state.anisotropic()) bits |= S::ENVLIGHT_ANISOTROPY;
         if (state.coated()) bits |= S::ENVLIGHT_COAT;
         if (state.brdf() >= 0 && state.emits()) bits |= S::ENVLIGHT_EMISSION;
         return {bits, stages};
@@ -234,14 +238,40 @@ bool SurfaceSorter::Variation::operator<(const Variation& other) const
 
 const osg::StateSet* SurfaceSorter::variant(const Variation& variation)
 {
-    static const char* const defines[] = {"NO_TEXTURE",          "LINEAR_TEXTURE",   "TEXTURE_REPLACE",        "TEXTURE_DECAL",
-                                          "TEXTURE_BLEND",       "TEXTURE_ADD",      "ALPHA_TEXTURE",          "TEXGEN_OBJECT",
-                                          "TEXGEN_EYE",          "TEXGEN_PROJECTED", "PAINTED_REFLECTION",     "UNLIT",
-                                          "VERTEX_COLOR",        "FACE_NORMAL",      "PHONG_MATERIAL",         "TWO_SIDED",
-                                          "ENVLIGHT_LAMBERT",    "ENVLIGHT_PHONG",   "ENVLIGHT_COOK_TORRANCE", "CLIP_PLANES",
-                                          "NORMAL_MAP",          "METAL_ROUGH_MAP",  "EMISSION_MAP",           "COAT_MAP",
-                                          "COAT_ROUGHNESS_MAP",  "COAT_NORMAL_MAP",  "ENVLIGHT_EMISSION",      "ENVLIGHT_STRAUSS",
-                                          "ENVLIGHT_DIELECTRIC", "ENVLIGHT_COAT",    "TEXTURE_STAGES",         "WHITE"};
+    static const char* const defines[] = {"NO_TEXTURE",
+                                          "LINEAR_TEXTURE",
+                                          "TEXTURE_REPLACE",
+                                          "TEXTURE_DECAL",
+                                          "TEXTURE_BLEND",
+                                          "TEXTURE_ADD",
+                                          "ALPHA_TEXTURE",
+                                          "TEXGEN_OBJECT",
+                                          "TEXGEN_EYE",
+                                          "TEXGEN_PROJECTED",
+                                          "PAINTED_REFLECTION",
+                                          "UNLIT",
+                                          "VERTEX_COLOR",
+                                          "FACE_NORMAL",
+                                          "PHONG_MATERIAL",
+                                          "TWO_SIDED",
+                                          "ENVLIGHT_LAMBERT",
+                                          "ENVLIGHT_PHONG",
+                                          "ENVLIGHT_COOK_TORRANCE",
+                                          "ENVLIGHT_STRAUSS",
+                                          "ENVLIGHT_EMISSION",
+                                          "ENVLIGHT_DIELECTRIC",
+                                          "ENVLIGHT_ANISOTROPY",
+                                          "ENVLIGHT_COAT",
+                                          "CLIP_PLANES",
+                                          "TEXTURE_STAGES",
+                                          "WHITE",
+                                          "NORMAL_MAP",
+                                          "METAL_ROUGH_MAP",
+                                          "EMISSION_MAP",
+                                          "ANISOTROPY_MAP",
+                                          "COAT_MAP",
+                                          "COAT_ROUGHNESS_MAP",
+                                          "COAT_NORMAL_MAP"};
     std::lock_guard<std::mutex> lock(_mutex);
     osg::ref_ptr<osg::StateSet>& stateSet = _variants[variation];
     if (!stateSet) {

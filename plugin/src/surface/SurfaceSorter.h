@@ -11,6 +11,7 @@
 #include <osgUtil/RenderStage>
 #include <osgUtil/StateGraph>
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <mutex>
@@ -59,42 +60,45 @@ class OSGENVLIGHT_EXPORT SurfaceSorter : public osg::Referenced
 
   private:
     friend class SurfaceSort;
-    enum Variant : unsigned {
-        NO_TEXTURE = 1u << 0,
-        LINEAR_TEXTURE = 1u << 1,
-        TEXTURE_REPLACE = 1u << 2,
-        TEXTURE_DECAL = 1u << 3,
-        TEXTURE_BLEND = 1u << 4,
-        TEXTURE_ADD = 1u << 5,
-        ALPHA_TEXTURE = 1u << 6,
-        TEXGEN_OBJECT = 1u << 7,
-        TEXGEN_EYE = 1u << 8,
-        TEXGEN_PROJECTED = 1u << 9,
-        PAINTED_REFLECTION = 1u << 10,
-        UNLIT = 1u << 11,
-        VERTEX_COLOR = 1u << 12,
-        FACE_NORMAL = 1u << 13,
-        PHONG_MATERIAL = 1u << 14,
-        TWO_SIDED = 1u << 15,
-        ENVLIGHT_LAMBERT = 1u << 16,
-        ENVLIGHT_PHONG = 1u << 17,
-        ENVLIGHT_COOK_TORRANCE = 1u << 18,
-        CLIP_PLANES = 1u << 19,
-        NORMAL_MAP = 1u << 20,
-        METAL_ROUGH_MAP = 1u << 21,
-        EMISSION_MAP = 1u << 22,
-        COAT_MAP = 1u << 23,
-        COAT_ROUGHNESS_MAP = 1u << 24,
-        COAT_NORMAL_MAP = 1u << 25,
-        ENVLIGHT_EMISSION = 1u << 26,
-        ENVLIGHT_STRAUSS = 1u << 27,
-        ENVLIGHT_DIELECTRIC = 1u << 28,
-        ENVLIGHT_COAT = 1u << 29,
-        TEXTURE_STAGES = 1u << 30,
-        WHITE = 1u << 31
+    /** Defines of the surface's shader, the maps last, in the order of MaterialMaps::samplers. */
+    enum Variant : uint64_t {
+        NO_TEXTURE = uint64_t(1) << 0,
+        LINEAR_TEXTURE = uint64_t(1) << 1,
+        TEXTURE_REPLACE = uint64_t(1) << 2,
+        TEXTURE_DECAL = uint64_t(1) << 3,
+        TEXTURE_BLEND = uint64_t(1) << 4,
+        TEXTURE_ADD = uint64_t(1) << 5,
+        ALPHA_TEXTURE = uint64_t(1) << 6,
+        TEXGEN_OBJECT = uint64_t(1) << 7,
+        TEXGEN_EYE = uint64_t(1) << 8,
+        TEXGEN_PROJECTED = uint64_t(1) << 9,
+        PAINTED_REFLECTION = uint64_t(1) << 10,
+        UNLIT = uint64_t(1) << 11,
+        VERTEX_COLOR = uint64_t(1) << 12,
+        FACE_NORMAL = uint64_t(1) << 13,
+        PHONG_MATERIAL = uint64_t(1) << 14,
+        TWO_SIDED = uint64_t(1) << 15,
+        ENVLIGHT_LAMBERT = uint64_t(1) << 16,
+        ENVLIGHT_PHONG = uint64_t(1) << 17,
+        ENVLIGHT_COOK_TORRANCE = uint64_t(1) << 18,
+        ENVLIGHT_STRAUSS = uint64_t(1) << 19,
+        ENVLIGHT_EMISSION = uint64_t(1) << 20,
+        ENVLIGHT_DIELECTRIC = uint64_t(1) << 21,
+        ENVLIGHT_ANISOTROPY = uint64_t(1) << 22,
+        ENVLIGHT_COAT = uint64_t(1) << 23,
+        CLIP_PLANES = uint64_t(1) << 24,
+        TEXTURE_STAGES = uint64_t(1) << 25,
+        WHITE = uint64_t(1) << 26,
+        NORMAL_MAP = uint64_t(1) << 27,
+        METAL_ROUGH_MAP = uint64_t(1) << 28,
+        EMISSION_MAP = uint64_t(1) << 29,
+        ANISOTROPY_MAP = uint64_t(1) << 30,
+        COAT_MAP = uint64_t(1) << 31,
+        COAT_ROUGHNESS_MAP = uint64_t(1) << 32,
+        COAT_NORMAL_MAP = uint64_t(1) << 33
     };
     struct Variation {
-        unsigned bits = 0;
+        uint64_t bits = 0;
         SurfaceState::Stages stages;
         bool operator<(const Variation& other) const;
     };

@@ -68,6 +68,7 @@ void SurfaceState::mergeMaps(const osg::StateSet& s)
     if (s.getUniform(MaterialMaps::emission)) _emits = true;
     if (s.getUniform(MaterialMaps::dielectric)) _dielectric = true;
     if (const osg::Uniform* coat = s.getUniform(MaterialMaps::coat)) coat->get(_coat);
+    if (const osg::Uniform* anisotropy = s.getUniform(MaterialMaps::anisotropy)) anisotropy->get(_anisotropy);
     if (const osg::Uniform* colors = s.getUniform(MaterialMaps::vertexColors)) colors->get(_ownVertexColors);
 }
 
@@ -75,6 +76,7 @@ bool SurfaceState::mapped(unsigned map) const
 {
     const int unit = _mapUnits[map];
     if (map >= MaterialMaps::firstOfCoat && !coated()) return false;
+    if (map == MaterialMaps::ofAnisotropy && !anisotropic()) return false;
     if (_brdf < 0 || unit < 1 || unit >= int(_units.size())) return false;
     const auto* t = _units[size_t(unit)].texture.as<osg::Texture2D>();
     return t && SurfaceFacts::hasTexels(*t);

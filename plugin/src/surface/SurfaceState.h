@@ -79,6 +79,8 @@ class OSGENVLIGHT_EXPORT SurfaceState
     bool dielectric() const { return _dielectric && (_brdf == Material::COOK_TORRANCE || _brdf == Material::BECKMANN); }
     /** It has a clear coat. */
     bool coated() const { return _coat > 0.0f && _brdf == Material::COOK_TORRANCE; }
+    /** Its highlights are drawn out along a direction. */
+    bool anisotropic() const { return _anisotropy > 0.0f && _brdf == Material::COOK_TORRANCE && !coated(); }
     /** A Material says what it emits. */
     bool emits() const { return _emits; }
     /** Planes of the host's cut it. */
@@ -142,13 +144,14 @@ class OSGENVLIGHT_EXPORT SurfaceState
     Attribute _blendEquation;
     Attribute _colorMask;
     Attribute _lightModel;
-    std::array<TextureUnit, 8> _units;    // that fixed-function state reaches
-    std::array<TextureStage, 8> _stages;  // of these
+    std::array<TextureUnit, 9> _units;    // that fixed-function state and our materials reach
+    std::array<TextureStage, 9> _stages;  // of these
     const osg::Depth* _nodeDepth = nullptr;
     bool _ownProgram = false;
     int _brdf = -1;
-    std::array<int, 6> _mapUnits{};  // 0: none
+    std::array<int, 7> _mapUnits{};  // 0: none
     float _coat = 0.0f;              // its strength
+    float _anisotropy = 0.0f;        // its strength
     bool _dielectric = false;
     bool _emits = false;
     bool _ownVertexColors = false;  // a BRDF of ours takes them
