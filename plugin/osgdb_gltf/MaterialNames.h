@@ -21,6 +21,8 @@ namespace osgEnvLight::gltf
  *    5  R clear coat                 linear   off   envlightCoatMap
  *    6  G roughness of the coat      linear   off   envlightCoatRoughnessMap
  *    7  normals of the coat          linear   off   envlightCoatNormalMap
+ *    8  RG direction, B strength of  linear   off   envlightAnisotropyMap
+ *       anisotropy
  *
  * Units without a mode are invisible to fixed function. sRGB: the texels are display values, which the shader decodes. A one or
  * two channel image is GL_LUMINANCE or GL_LUMINANCE_ALPHA. Row 0 of an image is the top of the picture, where the second
@@ -39,6 +41,7 @@ namespace osgEnvLight::gltf
  * envlightEmission          vec3   envlightEmissionMap; linear radiance: emissiveFactor times emissiveStrength
  * envlightCoat              float  KHR_materials_clearcoat, as osgEnvLight::Material::setCoat() sets it
  * envlightCoatRoughness     float  KHR_materials_clearcoat
+ * envlightAnisotropy...            KHR_materials_anisotropy, as osgEnvLight::Material::setAnisotropy() sets it
  * envlightDielectric        vec3   KHR_materials_ior and KHR_materials_specular, as osgEnvLight::Material::setDielectric() sets
  * it
  *
@@ -50,10 +53,10 @@ namespace osgEnvLight::gltf
  * as it is at rest. Files without tangents have none: derive them from the coordinates of the normal map. Without normals there
  * is no normal array: faces are flat. */
 struct MaterialNames {
-    enum Unit { BASE_COLOR, NORMAL, METAL_ROUGH, OCCLUSION, EMISSION, COAT, COAT_ROUGHNESS, COAT_NORMAL };
+    enum Unit { BASE_COLOR, NORMAL, METAL_ROUGH, OCCLUSION, EMISSION, COAT, COAT_ROUGHNESS, COAT_NORMAL, ANISOTROPY };
     static constexpr const char* sampler[] = {
         nullptr,           "envlightNormalMap",        "envlightMetalRoughMap", "envlightOcclusionMap", "envlightEmissionMap",
-        "envlightCoatMap", "envlightCoatRoughnessMap", "envlightCoatNormalMap"};
+        "envlightCoatMap", "envlightCoatRoughnessMap", "envlightCoatNormalMap", "envlightAnisotropyMap"};
     static constexpr const char* texCoordSuffix = "TexCoord";
     static constexpr const char* transformSuffix = "Transform";
 

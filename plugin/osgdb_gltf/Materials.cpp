@@ -51,6 +51,12 @@ double alphaOf(const tinygltf::Material& m)
     return (m.alphaMode == "OPAQUE" ? 1.0 : m.pbrMetallicRoughness.baseColorFactor[3]) * (1.0 - passed);
 }
 
+/** The geometry's array of TEXCOORD_n: that of unit 0 and the first are exchanged. */
+int arrayOf(unsigned texCoord, unsigned baseTexCoord)
+{
+    return int(texCoord == baseTexCoord ? 0 : texCoord == 0 ? baseTexCoord : texCoord);
+}
+
 }  // namespace
 
 osg::Vec4 displayColor(const osg::Vec4d& linear)
@@ -103,12 +109,12 @@ void Materials::readTransform(const tinygltf::Value& transform, Use& use)
     }
 }
 
-Materials::Use Materials::coatUse(int index, const char* name) const
+Materials::Use Materials::use(int index, const char* extensionName, const char* name) const
 {
     Use use;
-    const tinygltf::Value* coat = extension(material(index).extensions, "KHR_materials_clearcoat");
-    if (!coat || !coat->Has(name)) return use;
-    const tinygltf::Value& info = coat->Get(name);
+    const tinygltf::Value* values = extension(material(index).extensions, extensionName);
+    if (!values || !values->Has(name)) return use;
+    const tinygltf::Value& info = values->Get(name);
     use.texture = int(numberOf(info, "index", -1));
     use.texCoord = unsigned(numberOf(info, "texCoord", 0));
     if (info.Has("extensions") && info.Get("extensions").Has("KHR_texture_transform"))
@@ -156,9 +162,7 @@ void Materials::addMap(osg::StateSet& stateSet, int unit, const Use& use, unsign
     stateSet.setTextureAttribute(unsigned(unit), t);
     const std::string name = MaterialNames::sampler[unit];
     setUniform(stateSet, name, unit);
-    // The geometry's arrays 0 and baseTexCoord are exchanged.
-    const unsigned array = use.texCoord == baseTexCoord ? 0 : use.texCoord == 0 ? baseTexCoord : use.texCoord;
-    setUniform(stateSet, name + MaterialNames::texCoordSuffix, int(array));
+    setUniform(stateSet, name + MaterialNames::texCoordSuffix, arrayOf(use.texCoord, baseTexCoord));
     const float c = float(std::cos(use.rotation)), s = float(std::sin(use.rotation));
     const float x = float(use.scale[0]), y = float(use.scale[1]);
     // Columns, as GLSL has them.
@@ -176,14 +180,16 @@ void Materials::addTextures(osg::StateSet& stateSet, int index)
     add(MaterialNames::METAL_ROUGH, use(m.pbrMetallicRoughness.metallicRoughnessTexture));
     add(MaterialNames::OCCLUSION, use(m.occlusionTexture));
     add(MaterialNames::EMISSION, use(m.emissiveTexture));
-    add(MaterialNames::COAT, coatUse(index, "clearcoatTexture"));
-    add(MaterialNames::COAT_ROUGHNESS, coatUse(index, "clearcoatRoughnessTexture"));
-    add(MaterialNames::COAT_NORMAL, coatUse(index, "clearcoatNormalTexture"));
+    const char* const coating = "KHR_materials_clearcoat";
+    add(MaterialNames::COAT, use(index, coating, "clearcoatTexture"));
+    add(MaterialNames::COAT_ROUGHNESS, use(index, coating, "clearcoatRoughnessTexture"));
+    add(MaterialNames::COAT_NORMAL, use(index, coating, "clearcoatNormalTexture"));
+    add(MaterialNames::ANISOTROPY, use(index, "KHR_materials_anisotropy", "anisotropyTexture"));
     if (m.normalTexture.index >= 0) {
         setUniform(stateSet, MaterialNames::normalScale, float(m.normalTexture.scale));
         setUniform(stateSet, MaterialNames::normalUp, -1.0f);
     }
-    const tinygltf::Value* coat = extension(m.extensions, "KHR_materials_clearcoat");
+    const tinygltf::Value* coat = extension(m.extensions, coating);
     if (coat && coat->Has("clearcoatNormalTexture")) {
         const float scale = float(numberOf(coat->Get("clearcoatNormalTexture"), "scale", 1.0));
         setUniform(stateSet, MaterialNames::coatNormalScale, scale);
@@ -223,6 +229,13 @@ void Materials::addExtensions(osg::StateSet& stateSet, const tinygltf::Material&
     if (const tinygltf::Value* coat = extension(m.extensions, "KHR_materials_clearcoat")) {
         osgEnvLight::Material::setCoat(stateSet, float(numberOf(*coat, "clearcoatFactor", 0.0)),
                                        float(numberOf(*coat, "clearcoatRoughnessFactor", 0.0)));
+    }
+    if (const tinygltf::Value* brushed = extension(m.extensions, "KHR_materials_anisotropy")) {
+        // By the tangents of the normal map; without one, of the first coordinates.
+        const unsigned set = m.normalTexture.index >= 0 ? use(m.normalTexture).texCoord : 0;
+        const double rotation = osg::RadiansToDegrees(numberOf(*brushed, "anisotropyRotation", 0.0));
+        osgEnvLight::Material::setAnisotropy(stateSet, float(numberOf(*brushed, "anisotropyStrength", 0.0)), float(rotation),
+                                             true, arrayOf(set, use(m.pbrMetallicRoughness.baseColorTexture).texCoord));
     }
     const tinygltf::Value* ior = extension(m.extensions, "KHR_materials_ior");
     const tinygltf::Value* specular = extension(m.extensions, "KHR_materials_specular");

@@ -46,7 +46,7 @@ class Materials
     template <class TextureInfo>
     Use use(const TextureInfo& info) const;
     static void readTransform(const tinygltf::Value& transform, Use& use);
-    Use coatUse(int material, const char* name) const;
+    Use use(int material, const char* extensionName, const char* name) const;
 
     osg::Texture2D* texture(int index);
     void addMap(osg::StateSet& stateSet, int unit, const Use& use, unsigned baseTexCoord);

@@ -134,6 +134,8 @@ const Rule rules[] = {
     {"materials[].extensions.KHR_materials_clearcoat.clearcoatFactor", NUMBER, OPTIONAL, 0, 1},
     {"materials[].extensions.KHR_materials_clearcoat.clearcoatRoughnessFactor", NUMBER, OPTIONAL, 0, 1},
     {"materials[].extensions.KHR_materials_clearcoat.clearcoatNormalTexture.scale", NUMBER},
+    {"materials[].extensions.KHR_materials_anisotropy.anisotropyStrength", NUMBER, OPTIONAL, 0, 1},
+    {"materials[].extensions.KHR_materials_anisotropy.anisotropyRotation", NUMBER},
     {"materials[].extensions.KHR_materials_ior.ior", NUMBER, OPTIONAL, 0},
     {"materials[].extensions.KHR_materials_specular.specularFactor", NUMBER, OPTIONAL, 0, 1},
     {"materials[].extensions.KHR_materials_specular.specularColorFactor", LIST, OPTIONAL, 3, 3},
@@ -157,6 +159,7 @@ const char* const textureUses[] = {
     "materials[].normalTexture",
     "materials[].occlusionTexture",
     "materials[].emissiveTexture",
+    "materials[].extensions.KHR_materials_anisotropy.anisotropyTexture",
     "materials[].extensions.KHR_materials_clearcoat.clearcoatTexture",
     "materials[].extensions.KHR_materials_clearcoat.clearcoatRoughnessTexture",
     "materials[].extensions.KHR_materials_clearcoat.clearcoatNormalTexture",
@@ -173,9 +176,9 @@ const Rule textureRules[] = {
 };
 
 const char* const knownExtensions[] = {
-    "KHR_materials_unlit",    "KHR_materials_emissive_strength", "KHR_materials_clearcoat", "KHR_materials_ior",
-    "KHR_materials_specular", "KHR_materials_transmission",      "KHR_texture_transform",   "KHR_lights_punctual",
-    "KHR_mesh_quantization",  "EXT_mesh_gpu_instancing",
+    "KHR_materials_unlit", "KHR_materials_anisotropy", "KHR_materials_emissive_strength", "KHR_materials_clearcoat",
+    "KHR_materials_ior",   "KHR_materials_specular",   "KHR_materials_transmission",      "KHR_texture_transform",
+    "KHR_lights_punctual", "KHR_mesh_quantization",    "EXT_mesh_gpu_instancing",
 };
 
 /** Without the decimal point of a locale. */

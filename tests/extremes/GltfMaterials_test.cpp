@@ -112,9 +112,11 @@ TEST(GltfMaterials, EveryMapHasItsUnitAndNames)
              {"clearcoatTexture", {{"index", 5}}},
              {"clearcoatRoughnessTexture", {{"index", 6}}},
              {"clearcoatNormalTexture", {{"index", 7}, {"scale", .75}}}}},
+           {"KHR_materials_anisotropy",
+            {{"anisotropyStrength", .5}, {"anisotropyRotation", osg::PI_2}, {"anisotropyTexture", {{"index", 8}}}}},
            {"KHR_materials_ior", {{"ior", 1.25}}},
            {"KHR_materials_specular", {{"specularFactor", .5}, {"specularColorFactor", {1, 2, 3}}}}}}},
-        textured(8));
+        textured(9));
     ASSERT_TRUE(s);
     const char* names[] = {"",
                            "envlightNormalMap",
@@ -123,8 +125,9 @@ TEST(GltfMaterials, EveryMapHasItsUnitAndNames)
                            "envlightEmissionMap",
                            "envlightCoatMap",
                            "envlightCoatRoughnessMap",
-                           "envlightCoatNormalMap"};
-    for (unsigned unit = 0; unit < 8; ++unit) {
+                           "envlightCoatNormalMap",
+                           "envlightAnisotropyMap"};
+    for (unsigned unit = 0; unit < 9; ++unit) {
         EXPECT_TRUE(s->getTextureAttribute(unit, osg::StateAttribute::TEXTURE)) << unit;
         EXPECT_EQ(s->getTextureMode(unit, GL_TEXTURE_2D), unit == 0 ? osg::StateAttribute::ON : osg::StateAttribute::INHERIT)
             << unit;
@@ -140,6 +143,10 @@ TEST(GltfMaterials, EveryMapHasItsUnitAndNames)
     EXPECT_EQ(uniformOf<osg::Vec3f>(s, "envlightEmission"), osg::Vec3f(3, 3, 3));
     EXPECT_EQ(uniformOf<float>(s, "envlightCoat"), .5f);
     EXPECT_EQ(uniformOf<float>(s, "envlightCoatRoughness"), .25f);
+    EXPECT_EQ(uniformOf<float>(s, "envlightAnisotropy"), .5f);
+    EXPECT_NEAR(uniformOf<osg::Vec2f>(s, "envlightAnisotropyDirection").y(), 1.0, 1e-6);
+    EXPECT_EQ(uniformOf<float>(s, "envlightAnisotropyUp"), -1.0f);
+    EXPECT_EQ(uniformOf<int>(s, "envlightAnisotropyTexCoord"), 0);
     // ((n - 1) / (n + 1))^2 of n = 1.25 is 1/81; colour (1, 2, 3) at half the strength
     const osg::Vec3f f0 = uniformOf<osg::Vec3f>(s, "envlightDielectric");
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(f0[i], .5 * (i + 1) / 81, 1e-7);
