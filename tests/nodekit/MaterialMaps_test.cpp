@@ -5,6 +5,8 @@
 #include <osgEnvLight/Material>
 
 #include <osg/Geometry>
+#include <osg/LightSource>
+#include <osg/Material>
 
 #include <gtest/gtest.h>
 
@@ -130,6 +132,56 @@ TEST_F(MaterialMaps, EmissionReplacesThatOfTheHostsMaterial)
     expectNear(osg::Vec3d(2.0, 1.0, 0.5), middle(geode, Settings::EMISSION), "without a map");
     Material::setEmission(*geode->getStateSet(), osg::Vec3f(2.0f, 1.0f, 0.5f), evenTexture(osg::Vec3d(1.0, 0.735357, 0.0)));
     expectNear(osg::Vec3d(2.0, 0.5, 0.0), middle(geode, Settings::EMISSION), "half as encoded");
+}
+
+// Under light from one line of directions a card is bright where its highlights are drawn out along that line.
+TEST_F(MaterialMaps, OfAnisotropy)
+{
+    osg::Light& headlight = *renderer.viewer().getLight();
+    headlight.setDiffuse(osg::Vec4(0, 0, 0, 1));
+    headlight.setSpecular(osg::Vec4(0, 0, 0, 1));
+    const osg::Vec3d line = (x + z) / std::sqrt(2.0);
+    const osg::ref_ptr<osg::Image> map =
+        makeMap(128, 64, [&](const osg::Vec3d& d) { return osg::Vec3d(1, 1, 1) * (std::abs(d * line) > 0.6 ? 1.0 : 0.0); });
+    const auto seen = [&](bool forward, float strength, float rotation, const osg::ref_ptr<osg::Texture2D>& texture,
+                          bool topIsZero = false, int set = 0) {
+        osg::ref_ptr<osg::Geode> geode = card(x, z);
+        osg::StateSet& s = *geode->getStateSet();
+        Material::setCookTorrance(s, osg::Vec3f(1, 1, 1), 1.0f, 0.2f);
+        Material::setAnisotropy(s, strength, rotation, topIsZero, set);
+        if (texture) Material::setAnisotropyMap(s, texture);
+        if (forward) {
+            const osg::ref_ptr<osg::Material> material = new osg::Material;
+            material->setAlpha(osg::Material::FRONT_AND_BACK, 0.999f);
+            s.setAttribute(material);
+            s.setMode(GL_BLEND, osg::StateAttribute::ON);
+            s.setRenderingHint(osg::StateSet::TRANSPARENT_BIN);
+        }
+        osg::ref_ptr<LitScene> lit = makeLit(map.get());
+        // A light that only the lobe sees: forward surfaces look up the map by one width for all directions.
+        const osg::ref_ptr<osg::LightSource> lamp = new osg::LightSource;
+        const osg::Vec3d direction = line * 0.9 - osg::Vec3d(0, 1, 0);
+        lamp->getLight()->setLightNum(1);
+        lamp->getLight()->setPosition(osg::Vec4(osg::Vec3f(direction), 0.0f));
+        lamp->getLight()->setDiffuse(osg::Vec4(1, 1, 1, 1));
+        lit->getSettings()->sceneLights = forward ? Settings::SCENE_LIGHTS_ON : Settings::SCENE_LIGHTS_OFF;
+        lit->getSettings()->specular = true;
+        lit->addChild(lamp);
+        lit->getOrCreateStateSet()->setMode(GL_LIGHT1, osg::StateAttribute::ON);
+        lit->addChild(geode);
+        return renderer.render(lit, 2).color(13, 18)[1];
+    };
+    for (const bool forward : {false, true}) {
+        const double even = seen(forward, 0.0f, 0.0f, nullptr);
+        const double along = seen(forward, 1.0f, 45.0f, nullptr), across = seen(forward, 1.0f, -45.0f, nullptr);
+        EXPECT_GT(along, 2.0 * across) << forward;
+        EXPECT_GT(along, 1.5 * even) << forward;
+        const double same = 0.02 * along;
+        EXPECT_NEAR(across, seen(forward, 1.0f, 45.0f, nullptr, true), same) << "to the bottom";
+        EXPECT_NEAR(along, seen(forward, 1.0f, 45.0f, nullptr, false, 1), same) << "the other coordinates, mirrored";
+        EXPECT_NEAR(along, seen(forward, 1.0f, -45.0f, evenTexture(osg::Vec3d(0.5, 1, 1))), same) << "turned by the map";
+        EXPECT_NEAR(even, seen(forward, 1.0f, 45.0f, evenTexture(osg::Vec3d(1, 0.5, 0))), same) << "no strength in the map";
+    }
 }
 
 // Red times the strength and green times the roughness of a coat; its normals are its own.

@@ -3,6 +3,7 @@
 
 #include "base/Limits.h"
 #include "frame/FrameContext.h"
+#include "surface/SurfaceState.h"
 
 #include <osg/BlendFunc>
 #include <osg/Depth>
@@ -21,7 +22,7 @@ namespace
 
 const unsigned on = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
 const unsigned off = osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
-const unsigned firstForwardUnit = 8;  // beyond those that fixed-function state reaches
+const unsigned firstForwardUnit = SurfaceState::units;  // beyond those of the surfaces
 const int endOfFrame = std::numeric_limits<int>::max() - 1;
 
 // Against the host's depth, or against marks: half a step above the mark passes all that have it or a lower one.

@@ -28,6 +28,9 @@ class OSGENVLIGHT_EXPORT SurfaceState
     using Mode = StateMode;
     using Attribute = StateValue;
 
+    /** Texture units of surfaces: those that fixed-function state reaches, and one more of our materials. */
+    static constexpr unsigned units = 9;
+
     /** Define that, ON in the state set of a Program of the user's, says it writes the G-buffer's outputs itself. */
     static const char* const gbufferDefine;
 
@@ -144,8 +147,8 @@ class OSGENVLIGHT_EXPORT SurfaceState
     Attribute _blendEquation;
     Attribute _colorMask;
     Attribute _lightModel;
-    std::array<TextureUnit, 9> _units;    // that fixed-function state and our materials reach
-    std::array<TextureStage, 9> _stages;  // of these
+    std::array<TextureUnit, units> _units;
+    std::array<TextureStage, units> _stages;
     const osg::Depth* _nodeDepth = nullptr;
     bool _ownProgram = false;
     int _brdf = -1;
