@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <osgEnvLight/Material>
+
 namespace osgEnvLight::gltf
 {
 
@@ -67,7 +69,7 @@ struct MaterialNames {
     static constexpr const char* occlusionStrength = "envlightOcclusionStrength";
     static constexpr const char* emission = "envlightEmission";
 
-    static constexpr unsigned tangentAttribute = 6;
+    static constexpr unsigned tangentAttribute = Material::tangentAttribute;
 };
 
 }  // namespace osgEnvLight::gltf

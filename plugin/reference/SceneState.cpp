@@ -161,6 +161,8 @@ SurfaceMaterial SceneState::material(const osg::Geometry& geometry, bool linearC
             leftOut.insert("normal, roughness, emission, anisotropy and coat maps: their surfaces have the material without");
     if (anisotropic() && (_textureMatrix.attribute || uniform(MaterialMaps::anisotropyTexCoord, 0) != 0))
         leftOut.insert("anisotropy by other texture coordinates than the first as they are: it is by those of the base colour");
+    if (anisotropic() && geometry.getVertexAttribArray(Material::tangentAttribute))
+        leftOut.insert("anisotropy by the vertices' tangents: it is by those of the texture coordinates");
     for (const TextureStage& stage : stages())
         if (stage.kind != limits::STAGE_NONE)
             leftOut.insert("texture units beyond the first, and normal maps: their surfaces have the first alone");

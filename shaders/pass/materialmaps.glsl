@@ -2,7 +2,7 @@
 // Textures of osgEnvLight::Material beside the base colour, each with coordinates of its own.
 #ifndef MATERIALMAPS_GLSL
 #define MATERIALMAPS_GLSL
-#pragma import_defines(NORMAL_MAP, METAL_ROUGH_MAP, EMISSION_MAP, COAT_MAP, COAT_ROUGHNESS_MAP, COAT_NORMAL_MAP, ENVLIGHT_ANISOTROPY, ANISOTROPY_MAP, TEXTURE_STAGES)
+#pragma import_defines(NORMAL_MAP, METAL_ROUGH_MAP, EMISSION_MAP, COAT_MAP, COAT_ROUGHNESS_MAP, COAT_NORMAL_MAP, ENVLIGHT_ANISOTROPY, ANISOTROPY_MAP, VERTEX_TANGENTS, TEXTURE_STAGES)
 
 #if defined(NORMAL_MAP) || defined(METAL_ROUGH_MAP) || defined(EMISSION_MAP) || defined(ENVLIGHT_ANISOTROPY)
 #define HAS_MAPS
@@ -21,32 +21,51 @@ vec2 mapCoordinate(int set, mat3 transform)
 #endif
 
 #if defined(NORMAL_MAP) || defined(COAT_NORMAL_MAP) || defined(ENVLIGHT_ANISOTROPY) || defined(TEXTURE_STAGES)
-// The directions in the plane of the unit normal n in which each of the coordinates grows, as long as that is fast
-// [Schueler, GPU Pro 4 (2013)].
-struct Gradients {
-    vec3 s;
-    vec3 t;
+// The directions in which a picture's columns and rows lie on a surface: to its right and to its top. No longer than 1; 0 where there are
+// none.
+struct Tangents {
+    vec3 right;
+    vec3 up;
 };
 
-Gradients coordinateGradients(vec3 n, vec3 eye, vec2 st)
+// Those in which the coordinates st grow in the plane of the unit normal n, the longer of length 1 [Schueler, GPU Pro 4 (2013)]. up: -1 if
+// the second coordinate is 0 at the picture's top.
+Tangents coordinateTangents(vec3 n, vec3 eye, vec2 st, float up)
 {
     vec3 across = cross(dFdy(eye), n);
     vec3 along = cross(n, dFdx(eye));
-    return Gradients(across * dFdx(st).x + along * dFdy(st).x, across * dFdx(st).y + along * dFdy(st).y);
+    vec3 s = across * dFdx(st).x + along * dFdy(st).x;
+    vec3 t = across * dFdx(st).y + along * dFdy(st).y;
+    float size2 = max(dot(s, s), dot(t, t));
+    float scale = size2 > 0.0 ? inversesqrt(size2) : 0.0;
+    return Tangents(scale * s, (up < 0.0 ? -scale : scale) * t);
 }
 
-// The unit normal n about which a texel turns it, in tangents that follow from the coordinates; n where they do not change.
-// up: -1 if the second coordinate is 0 at the picture's top.
-vec3 bentNormal(vec3 n, vec3 eye, vec2 st, vec3 texel, float scale, float up)
+// The unit normal n as a texel bends it; n where there are no tangents.
+vec3 bentNormal(vec3 n, Tangents tangents, vec3 texel, float scale)
 {
-    Gradients g = coordinateGradients(n, eye, st);
-    float size2 = max(dot(g.s, g.s), dot(g.t, g.t));
-    if (!(size2 > 0.0)) return n;
+    if (tangents.right == vec3(0.0) && tangents.up == vec3(0.0)) return n;
     vec3 m = texel * 2.0 - 1.0;
-    m.xy *= scale * inversesqrt(size2);
-    vec3 bent = m.x * g.s + (up < 0.0 ? -m.y : m.y) * g.t + m.z * n;
+    vec3 bent = scale * (m.x * tangents.right + m.y * tangents.up) + m.z * n;
     float size = length(bent);
     return size > 0.0 ? bent / size : n;
+}
+#endif
+
+#if defined(NORMAL_MAP) || defined(COAT_NORMAL_MAP) || defined(ENVLIGHT_ANISOTROPY)
+#ifdef VERTEX_TANGENTS
+in vec3 eyeTangent;
+in vec3 eyeBitangent;
+#endif
+
+// The vertices' own, if they have any.
+Tangents mapTangents(vec3 n, vec3 eye, vec2 st, float up)
+{
+#ifdef VERTEX_TANGENTS
+    return Tangents(eyeTangent / max(length(eyeTangent), 1e-20), eyeBitangent / max(length(eyeBitangent), 1e-20));
+#else
+    return coordinateTangents(n, eye, st, up);
+#endif
 }
 #endif
 
@@ -60,7 +79,7 @@ uniform float envlightNormalUp;
 vec3 mappedNormal(vec3 n, vec3 eye)
 {
     vec2 st = mapCoordinate(envlightNormalMapTexCoord, envlightNormalMapTransform);
-    return bentNormal(n, eye, st, texture(envlightNormalMap, st).xyz, envlightNormalScale, envlightNormalUp);
+    return bentNormal(n, mapTangents(n, eye, st, envlightNormalUp), texture(envlightNormalMap, st).xyz, envlightNormalScale);
 }
 #endif
 
@@ -111,14 +130,18 @@ vec4 surfaceAnisotropy(vec3 n, vec3 eye)
     d = vec2(d.x * turn.x - d.y * turn.y, d.x * turn.y + d.y * turn.x);
     strength *= texel.b;
 #endif
-    Gradients g = coordinateGradients(n, eye, st);
-    vec3 t = cross(g.t, n);  // along a line of equal second coordinates
-    if (dot(t, g.s) < 0.0) t = -t;
-    float size = length(t);
-    vec3 lathe = cross(gl_ModelViewMatrix[2].xyz, n);
-    t = size > 0.0 ? t / size : lathe / max(length(lathe), 1e-20);
+    Tangents tangents = mapTangents(n, eye, st, envlightAnisotropyUp);
+#ifdef VERTEX_TANGENTS
+    vec3 t = tangents.right - dot(tangents.right, n) * n;
+#else
+    vec3 t = cross(tangents.up, n);  // along a line of equal second coordinates
+    if (dot(t, tangents.right) < 0.0) t = -t;
+#endif
+    bool mapped = dot(t, t) > 0.0;
+    if (!mapped) t = cross(gl_ModelViewMatrix[2].xyz, n);
+    t /= max(length(t), 1e-20);
     vec3 b = cross(n, t);
-    if (size > 0.0 && dot(b, g.t) * envlightAnisotropyUp < 0.0) b = -b;
+    if (mapped && dot(b, tangents.up) < 0.0) b = -b;
     return vec4(d.x * t + d.y * b, strength);
 }
 #endif
@@ -158,7 +181,7 @@ uniform float envlightCoatNormalUp;
 vec3 mappedCoatNormal(vec3 n, vec3 eye)
 {
     vec2 st = mapCoordinate(envlightCoatNormalMapTexCoord, envlightCoatNormalMapTransform);
-    return bentNormal(n, eye, st, texture(envlightCoatNormalMap, st).xyz, envlightCoatNormalScale, envlightCoatNormalUp);
+    return bentNormal(n, mapTangents(n, eye, st, envlightCoatNormalUp), texture(envlightCoatNormalMap, st).xyz, envlightCoatNormalScale);
 }
 #endif
 

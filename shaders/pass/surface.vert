@@ -1,12 +1,16 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // Geometry of the host's own drawables, for the G-buffer and for what is drawn forward.
-#pragma import_defines(HAS_SUN_MAPS, CLIP_PLANES, NO_TEXTURE, TEXGEN_OBJECT, TEXGEN_EYE, TEXGEN_PROJECTED, NORMAL_MAP, METAL_ROUGH_MAP, EMISSION_MAP, COAT_MAP, COAT_ROUGHNESS_MAP, COAT_NORMAL_MAP, ENVLIGHT_ANISOTROPY, TEXTURE_STAGES)
+#pragma import_defines(HAS_SUN_MAPS, CLIP_PLANES, NO_TEXTURE, TEXGEN_OBJECT, TEXGEN_EYE, TEXGEN_PROJECTED, NORMAL_MAP, METAL_ROUGH_MAP, EMISSION_MAP, COAT_MAP, COAT_ROUGHNESS_MAP, COAT_NORMAL_MAP, ENVLIGHT_ANISOTROPY, VERTEX_TANGENTS, TEXTURE_STAGES)
 #if defined(NORMAL_MAP) || defined(METAL_ROUGH_MAP) || defined(EMISSION_MAP) || defined(ENVLIGHT_ANISOTROPY)
 #define HAS_MAPS
 #endif
 #if defined(COAT_MAP) || defined(COAT_ROUGHNESS_MAP) || defined(COAT_NORMAL_MAP)
 #define HAS_MAPS
+#endif
+
+#ifdef VERTEX_TANGENTS
+layout(location = 6) in vec4 vertexTangent;  // Material::tangentAttribute; w: the sign of the bitangent
 #endif
 
 uniform vec2 subpixel;  // shift of the picture in clip space over w
@@ -16,6 +20,10 @@ out vec3 eyeNormal;
 #ifdef HAS_SUN_MAPS
 flat out vec3 cornerPosition;  // of one corner of the triangle
 flat out vec3 cornerNormal;
+#endif
+#ifdef VERTEX_TANGENTS
+out vec3 eyeTangent;
+out vec3 eyeBitangent;
 #endif
 out vec4 vertexColor;
 out vec3 textureCoordinate;  // s, t, q
@@ -33,6 +41,10 @@ void main()
 #ifdef HAS_SUN_MAPS
     cornerPosition = eyePosition;
     cornerNormal = eyeNormal;
+#endif
+#ifdef VERTEX_TANGENTS
+    eyeTangent = mat3(gl_ModelViewMatrix) * vertexTangent.xyz;
+    eyeBitangent = mat3(gl_ModelViewMatrix) * (vertexTangent.w * cross(gl_Normal, vertexTangent.xyz));
 #endif
     vertexColor = gl_Color;
 #ifndef NO_TEXTURE

@@ -56,7 +56,7 @@ vec3 stagedNormal(vec3 n, vec3 eye)
     for (int unit = 0; unit < STAGED_UNITS; ++unit)
         if (textureStages[unit] == STAGE_NORMALS) {
             vec3 coordinate = stageCoordinates[unit];
-            n = bentNormal(n, eye, coordinate.xy / coordinate.z, stageTexel(unit).xyz, 1.0, 1.0);
+            n = bentNormal(n, coordinateTangents(n, eye, coordinate.xy / coordinate.z, 1.0), stageTexel(unit).xyz, 1.0);
         }
     return n;
 }

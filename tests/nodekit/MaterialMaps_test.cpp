@@ -7,6 +7,7 @@
 #include <osg/Geometry>
 #include <osg/LightSource>
 #include <osg/Material>
+#include <osg/MatrixTransform>
 
 #include <gtest/gtest.h>
 
@@ -109,6 +110,39 @@ TEST_F(MaterialMaps, NormalsStayWhereThereAreNoCoordinates)
     Material::setLambert(*geode->getOrCreateStateSet(), osg::Vec3f(1, 1, 1));
     Material::setNormalMap(*geode->getStateSet(), evenTexture(osg::Vec3d(0.9, 0.5, 0.8)));
     expectNear(osg::Vec3d(0, -1, 0), normalOf(geode), "no coordinates");
+}
+
+// Tangents of the vertices go before those of the coordinates, turn with the geometry, and mirror with it.
+TEST_F(MaterialMaps, NormalsLeanAlongTheVerticesTangents)
+{
+    const double lean = 0.5, rest = std::sqrt(0.75);
+    const osg::ref_ptr<osg::Texture2D> right = evenTexture(osg::Vec3d(lean, 0, rest) * 0.5 + osg::Vec3d(0.5, 0.5, 0.5));
+    const osg::ref_ptr<osg::Texture2D> up = evenTexture(osg::Vec3d(0, lean, rest) * 0.5 + osg::Vec3d(0.5, 0.5, 0.5));
+    const osg::Vec3d front(0, -rest, 0);
+    const auto normal = [&](const osg::Vec3d& tangent, double sign, const osg::ref_ptr<osg::Texture2D>& map,
+                            const osg::Matrixd& placed = osg::Matrixd()) {
+        const osg::ref_ptr<osg::Geode> geode = card(x, z);
+        const osg::ref_ptr<osg::Vec4Array> tangents = new osg::Vec4Array(4);
+        for (osg::Vec4& t : *tangents) t = osg::Vec4(osg::Vec3f(tangent), float(sign));
+        geode->getDrawable(0)->asGeometry()->setVertexAttribArray(Material::tangentAttribute, tangents,
+                                                                  osg::Array::BIND_PER_VERTEX);
+        Material::setNormalMap(*geode->getStateSet(), map);
+        const osg::ref_ptr<osg::MatrixTransform> transform = new osg::MatrixTransform(placed);
+        transform->addChild(geode);
+        return normalOf(transform);
+    };
+    expectNear(front + z * lean, normal(z, 1.0, right), "right");
+    expectNear(front + (osg::Vec3d(0, -1, 0) ^ z) * lean, normal(z, 1.0, up), "up");
+    expectNear(front - (osg::Vec3d(0, -1, 0) ^ z) * lean, normal(z, -1.0, up), "up, of the other hand");
+    expectNear(front + x * lean, normal(z, 1.0, right, osg::Matrixd::rotate(osg::PI_2, 0, 1, 0)), "turned");
+    expectNear(front - x * lean, normal(x, 1.0, right, osg::Matrixd::scale(-1, 1, 1)), "mirrored");
+    expectNear(front + z * lean, normal(x, 1.0, up, osg::Matrixd::scale(-1, 1, 1)), "mirrored, up");
+    // As many as there are vertices, or they are no tangents.
+    const osg::ref_ptr<osg::Geode> geode = card(x, z);
+    geode->getDrawable(0)->asGeometry()->setVertexAttribArray(Material::tangentAttribute, new osg::Vec4Array(2),
+                                                              osg::Array::BIND_PER_VERTEX);
+    Material::setNormalMap(*geode->getStateSet(), right);
+    expectNear(front + x * lean, normalOf(geode), "by the coordinates");
 }
 
 TEST_F(MaterialMaps, RoughnessAndMetalnessAreMultiplied)

@@ -24,6 +24,16 @@ bool lacksNormals(const osg::Geometry* geometry)
     return geometry && !geometry->getNormalArray();
 }
 
+// One for each vertex. osgAnimation moves vertices and normals, but no other attributes.
+bool hasTangents(const osg::Geometry* geometry)
+{
+    if (!geometry || !geometry->getVertexArray() || std::string(geometry->libraryName()) == "osgAnimation") return false;
+    const osg::Array* tangents = geometry->getVertexAttribArray(Material::tangentAttribute);
+    return tangents && tangents->getType() == osg::Array::Vec4ArrayType &&
+           tangents->getBinding() == osg::Array::BIND_PER_VERTEX &&
+           tangents->getNumElements() == geometry->getVertexArray()->getNumElements();
+}
+
 const osg::Geometry* geometryOf(const osgUtil::RenderLeaf& leaf)
 {
     return leaf._drawable ? leaf._drawable->asGeometry() : nullptr;
@@ -186,7 +196,10 @@ class SurfaceSort
                bool blends, osgUtil::RenderBin::StateGraphList& kept, osgUtil::RenderBin* to)
     {
         const osg::Geometry* geometry = geometryOf(leaf);
-        if (lacksNormals(geometry)) variation.bits |= SurfaceSorter::FACE_NORMAL;
+        if (lacksNormals(geometry))
+            variation.bits |= SurfaceSorter::FACE_NORMAL;
+        else if (variation.bits & takesTangents && hasTangents(geometry))
+            variation.bits |= SurfaceSorter::VERTEX_TANGENTS;
         const bool foreign = leaf._projection.get() != _places.projection;
         if (!foreign && !blends && !state.drawnForward(geometry)) return keep(leaf, sg, state, variation, kept);
         const char* unsupported = foreign ? nullptr : state.unsupported(geometry);
@@ -221,6 +234,9 @@ class SurfaceSort
         n->addLeaf(&leaf);
     }
 
+    static constexpr uint64_t takesTangents =
+        SurfaceSorter::NORMAL_MAP | SurfaceSorter::COAT_NORMAL_MAP | SurfaceSorter::ENVLIGHT_ANISOTROPY;
+
     SurfaceSorter& _sorter;
     const SurfaceSorter::Places& _places;
     osgUtil::StateGraph& _top;
@@ -238,40 +254,16 @@ bool SurfaceSorter::Variation::operator<(const Variation& other) const
 
 const osg::StateSet* SurfaceSorter::variant(const Variation& variation)
 {
-    static const char* const defines[] = {"NO_TEXTURE",
-                                          "LINEAR_TEXTURE",
-                                          "TEXTURE_REPLACE",
-                                          "TEXTURE_DECAL",
-                                          "TEXTURE_BLEND",
-                                          "TEXTURE_ADD",
-                                          "ALPHA_TEXTURE",
-                                          "TEXGEN_OBJECT",
-                                          "TEXGEN_EYE",
-                                          "TEXGEN_PROJECTED",
-                                          "PAINTED_REFLECTION",
-                                          "UNLIT",
-                                          "VERTEX_COLOR",
-                                          "FACE_NORMAL",
-                                          "PHONG_MATERIAL",
-                                          "TWO_SIDED",
-                                          "ENVLIGHT_LAMBERT",
-                                          "ENVLIGHT_PHONG",
-                                          "ENVLIGHT_COOK_TORRANCE",
-                                          "ENVLIGHT_STRAUSS",
-                                          "ENVLIGHT_EMISSION",
-                                          "ENVLIGHT_DIELECTRIC",
-                                          "ENVLIGHT_ANISOTROPY",
-                                          "ENVLIGHT_COAT",
-                                          "CLIP_PLANES",
-                                          "TEXTURE_STAGES",
-                                          "WHITE",
-                                          "NORMAL_MAP",
-                                          "METAL_ROUGH_MAP",
-                                          "EMISSION_MAP",
-                                          "ANISOTROPY_MAP",
-                                          "COAT_MAP",
-                                          "COAT_ROUGHNESS_MAP",
-                                          "COAT_NORMAL_MAP"};
+    static const char* const defines[] = {
+        "NO_TEXTURE",       "LINEAR_TEXTURE",     "TEXTURE_REPLACE",     "TEXTURE_DECAL",
+        "TEXTURE_BLEND",    "TEXTURE_ADD",        "ALPHA_TEXTURE",       "TEXGEN_OBJECT",
+        "TEXGEN_EYE",       "TEXGEN_PROJECTED",   "PAINTED_REFLECTION",  "UNLIT",
+        "VERTEX_COLOR",     "FACE_NORMAL",        "VERTEX_TANGENTS",     "PHONG_MATERIAL",
+        "TWO_SIDED",        "ENVLIGHT_LAMBERT",   "ENVLIGHT_PHONG",      "ENVLIGHT_COOK_TORRANCE",
+        "ENVLIGHT_STRAUSS", "ENVLIGHT_EMISSION",  "ENVLIGHT_DIELECTRIC", "ENVLIGHT_ANISOTROPY",
+        "ENVLIGHT_COAT",    "CLIP_PLANES",        "TEXTURE_STAGES",      "WHITE",
+        "NORMAL_MAP",       "METAL_ROUGH_MAP",    "EMISSION_MAP",        "ANISOTROPY_MAP",
+        "COAT_MAP",         "COAT_ROUGHNESS_MAP", "COAT_NORMAL_MAP"};
     std::lock_guard<std::mutex> lock(_mutex);
     osg::ref_ptr<osg::StateSet>& stateSet = _variants[variation];
     if (!stateSet) {
