@@ -124,6 +124,74 @@ TEST(Stability, NothingFlickersWhenTheViewPansByAPixelAFrame)
     EXPECT_LE(worst, 1.5);
 }
 
+namespace
+{
+
+struct Steadiness {
+    double mean = 0.0;  // standard deviation over time [steps of an 8-bit display]
+    double worst = 0.0;
+    double over2 = 0.0;  // share of the pixels
+};
+
+// Of a ball of metal between two boxes, away from its rim, while the view pans by a pixel a frame.
+Steadiness panAcrossABall(float roughness, int reflections)
+{
+    const int side = 128, frames = 16;
+    const double pixel = 3.2 / side;
+    SceneRenderer renderer(side, side);
+    osg::ref_ptr<LitScene> lit = courtyard(lopsidedMap().get());
+    lit->getSettings()->reflections = reflections;
+    lit->removeChildren(1, 2);
+    for (double x : {-1.9, 1.3}) lit->addChild(makeBox(osg::Vec3d(x, 0.2, 0), osg::Vec3d(x + 0.6, 1.0, 1.2)));
+    const osg::ref_ptr<osg::Geode> ball = makeSphere(osg::Vec3d(0, 0, 1), 1.0, 256);
+    osgEnvLight::Material::setCookTorrance(*ball->getOrCreateStateSet(), osg::Vec3f(0.9f, 0.9f, 0.9f), 1.0f, roughness);
+    lit->addChild(ball);
+    std::vector<Picture> pictures;
+    for (int f = 0; f < frames; ++f) {
+        const osg::Vec3d center((f - frames / 2) * pixel, 0, 1);
+        renderer.lookAt(center + osg::Vec3d(0, -10, 4), center, osg::Vec3d(0, 0, 1));
+        renderer.viewer().getCamera()->setProjectionMatrixAsOrtho(-1.6, 1.6, -1.6, 1.6, 1, 40);
+        pictures.push_back(renderer.render(lit));
+    }
+    Steadiness result;
+    int count = 0;
+    for (int y = 0; y < side; ++y)
+        for (int x = frames; x < side; ++x) {
+            const double dx = (x - frames / 2 + 0.5 - side / 2) * pixel, dy = (y + 0.5 - side / 2) * pixel;
+            if (dx * dx + dy * dy > 0.81) continue;
+            double sum = 0.0, squares = 0.0;
+            for (int f = 0; f < frames; ++f) {
+                const double v = display(pictures[size_t(f)].color(x - f, y)[1]);
+                sum += v / frames;
+                squares += v * v / frames;
+            }
+            const double deviation = std::sqrt(std::max(squares - sum * sum, 0.0));
+            result.worst = std::max(result.worst, deviation);
+            result.mean += deviation;
+            result.over2 += deviation > 2.0;
+            ++count;
+        }
+    result.mean /= count;
+    result.over2 /= count;
+    return result;
+}
+
+}  // namespace
+
+// Deviations of more than 2 steps are where the ball shows the floor at the picture's end, which is in the way of the map or out
+// of view.
+TEST(Stability, ReflectionsKeepStillWhenTheViewPansByAPixelAFrame)
+{
+    for (const float roughness : {0.0f, 0.1f, 0.2f, 0.35f, 0.6f}) {
+        const Steadiness map = panAcrossABall(roughness, Settings::REFLECTIONS_MAP);
+        const Steadiness scene = panAcrossABall(roughness, Settings::REFLECTIONS_SCREEN);
+        EXPECT_LE(map.mean, 0.5) << roughness;
+        EXPECT_LE(map.over2, 0.001) << roughness;
+        EXPECT_LE(scene.mean, 0.7) << roughness;
+        EXPECT_LE(scene.over2, 0.05) << roughness;
+    }
+}
+
 // Two eyes 6.4 cm apart at a distance of 3 m see the same light.
 TEST(Stability, BothEyesSeeTheSameLight)
 {
