@@ -40,12 +40,13 @@ glm::dvec2 albedoInBlock(const osg::Image& table, int number, double roughness, 
 
 glm::dvec2 microfacetAlbedo(int brdf, double roughness, double cosV)
 {
-    return albedoInBlock(*albedoTableImage(), glsl::albedoBlock(brdf), roughness, cosV);
+    static const osg::ref_ptr<osg::Image> table = albedoTableImage();
+    return albedoInBlock(*table, glsl::albedoBlock(brdf), roughness, cosV);
 }
 
 glm::dvec2 anisotropicAlbedo(const glm::dvec2& alpha, const glm::dvec3& v)
 {
-    const osg::ref_ptr<osg::Image> table = albedoTableImage(true);
+    static const osg::ref_ptr<osg::Image> table = albedoTableImage(true);
     const glm::dvec2 about = glsl::anisotropicRoughness(alpha, v);
     const double block = about.y * (limits::ANISOTROPY_BLOCKS - 1);
     const int below = std::min(int(block), limits::ANISOTROPY_BLOCKS - 2);
@@ -105,14 +106,12 @@ Reflection::Reflection(const SurfaceHit& hit, const Ray& ray, const glm::dvec4& 
 // The frame's x is the direction in which highlights are drawn out.
 void Reflection::setBrushing(const SurfaceHit& hit)
 {
-    const SurfaceMaterial& m = hit.mesh->material;
-    const auto edge = [&](const auto& attribute, unsigned to) {
-        return glm::dvec3(glm::dvec4(attribute[to], 0.0, 0.0)) - glm::dvec3(glm::dvec4(attribute[hit.triangle.x], 0.0, 0.0));
-    };
-    const auto& places = hit.mesh->positions;
-    const glm::dvec3 p1 = glm::dvec3(places[hit.triangle.y]) - glm::dvec3(places[hit.triangle.x]);
-    const glm::dvec3 p2 = glm::dvec3(places[hit.triangle.z]) - glm::dvec3(places[hit.triangle.x]);
-    const glm::dvec3 c1 = edge(hit.mesh->texCoords, hit.triangle.y), c2 = edge(hit.mesh->texCoords, hit.triangle.z);
+    const TriangleMesh& mesh = *hit.mesh;
+    const SurfaceMaterial& m = mesh.material;
+    const auto place = [&](int corner) { return glm::dvec3(mesh.positions[hit.triangle[corner]]); };
+    const auto coordinate = [&](int corner) { return glm::dvec2(mesh.texCoords[hit.triangle[corner]]); };
+    const glm::dvec3 p1 = place(1) - place(0), p2 = place(2) - place(0);
+    const glm::dvec2 c1 = coordinate(1) - coordinate(0), c2 = coordinate(2) - coordinate(0);
     // Positions by coordinates: p = s alongS + t alongT.
     const double area = c1.x * c2.y - c2.x * c1.y;
     const glm::dvec3 alongS = (c2.y * p1 - c1.y * p2) * area, alongT = (c1.x * p2 - c2.x * p1) * area;

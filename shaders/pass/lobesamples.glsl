@@ -43,8 +43,13 @@ const float MOST_SAMPLES = 4.0;  // times those of an even lobe
 
 int samplesOf(Bsdf b)
 {
-    vec2 alpha = vec2(lobeAlpha(b));
-    return int(float(specularSamples) * clamp(sqrt(alpha.x / alpha.y), 1.0, MOST_SAMPLES));
+#ifdef HAS_ANISOTROPY
+    if (b.anisotropy > 0.0) {
+        vec2 alpha = lobeAlpha(b);
+        return int(float(specularSamples) * clamp(sqrt(alpha.x / alpha.y), 1.0, MOST_SAMPLES));
+    }
+#endif
+    return specularSamples;
 }
 
 vec3 mirror(vec3 d)
