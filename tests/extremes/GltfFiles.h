@@ -122,7 +122,8 @@ inline ReadResult readText(const std::string& text, const std::string& options =
     osgDB::ReaderWriter* plugin = osgDB::Registry::instance()->getReaderWriterForExtension("gltf");
     if (!plugin) return ReadResult("there is no plugin");
     std::istringstream in(text);
-    return plugin->readNode(in, new osgDB::Options(options));
+    const osg::ref_ptr<osgDB::Options> held = new osgDB::Options(options);
+    return plugin->readNode(in, held);
 }
 
 /** Null with a failure of the test. */
