@@ -14,6 +14,7 @@
 #include "lib/strauss.glsl"
 #include "lib/tone.glsl"
 #include "pass/hostcolor.glsl"
+#include "pass/litsurface.glsl"
 #include "pass/materialmaps.glsl"
 #include "pass/texturestages.glsl"
 
@@ -59,24 +60,6 @@ flat in vec3 cornerNormal;
 #endif
 in vec4 vertexColor;
 in vec3 textureCoordinate;  // s, t, q
-
-struct Surface {
-    vec3 albedo;     // of the Lambert term
-    float alpha;     // coverage
-    vec3 ray;        // eye space, unit, away from the eye
-    vec3 normal;     // eye space, unit, against the ray
-    float roughness; // of the lobe
-    vec3 f0;         // colour of the lobe at normal incidence
-    int brdf;        // of lib/brdfs.glsl
-    vec3 emission;   // radiance
-    vec3 baseColor;  // of a coated surface, with its metalness
-    float metalness;
-    vec3 coatNormal;
-    Coat coat;
-    float anisotropy; // strength
-    vec3 brushed;     // the direction in which highlights are drawn out, of any length, square to the normal
-    float bulge;     // of what the normals stand for above the facet, in shares of the distance to the eye: for the suns' maps alone
-};
 
 // Unit normal of the facet, on the side that the view ray meets: that decides, not gl_FrontFacing, which a mirroring transform
 // inverts.
@@ -183,24 +166,16 @@ float surfaceBulge(vec3 facet, vec3 normal)
 
 Surface readSurface()
 {
-    Surface s;
-    s.ray = viewRayAt(gl_ProjectionMatrixInverse, eyePosition);
-    vec3 facet = facetNormal(s.ray);
-    s.normal = surfaceNormal(facet);
+    vec3 ray = viewRayAt(gl_ProjectionMatrixInverse, eyePosition);
+    vec3 facet = facetNormal(ray);
+    Surface s = blackSurface(eyePosition, ray, surfaceNormal(facet));
     s.bulge = surfaceBulge(facet, s.normal);
-    s.coatNormal = s.normal;
-    s.coat = Coat(0.0, 0.0);
-    s.anisotropy = 0.0;
-    s.brushed = vec3(0.0);
 #ifdef NORMAL_MAP
     s.normal = mappedNormal(s.normal, eyePosition);
 #endif
 #ifdef TEXTURE_STAGES
     s.normal = stagedNormal(s.normal, eyePosition);
 #endif
-    s.roughness = 1.0;
-    s.f0 = vec3(0.0);
-    s.brdf = BRDF_LAMBERT;
     gl_MaterialParameters host = hostMaterial();
     s.emission = hostRadiance(host.emission.rgb);
 #ifdef ENVLIGHT_EMISSION

@@ -107,6 +107,7 @@ void ForwardPass::setup(PassBuilder& b, FrameContext& c)
         b.define("HAS_SPECULAR");
         b.bind(c.textures.pyramid(), "pyramidMap");
     }
+    b.define("ENVLIGHT_LIT");
     b.bind(c.albedoTable, "albedoTable");
     defineLobes(b, c.facts.surfaces.forwardLobes);
     b.defineKinds(c.facts.surfaces.forwardLobes);

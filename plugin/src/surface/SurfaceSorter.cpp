@@ -160,6 +160,7 @@ class SurfaceSort
     // The bits of the lobes of a surface, none if it has none.
     static unsigned lobeBits(const SurfaceState& state)
     {
+        if (state.litProgram()) return 1u << Material::COOK_TORRANCE;
         if (state.coated()) return 1u << Material::COOK_TORRANCE | SurfaceKinds::COATS;
         if (state.anisotropic()) return 1u << Material::COOK_TORRANCE | SurfaceKinds::ANISOTROPY;
         if (state.brdf() >= 0) return state.brdf() == Material::LAMBERT ? 0u : 1u << state.brdf();

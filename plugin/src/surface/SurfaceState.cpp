@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "surface/SurfaceState.h"
 
+#include <osgEnvLight/LightShader>
+
 #include "surface/MaterialMaps.h"
 
 #include <osg/BlendEquation>
 #include <osg/BlendFunc>
 #include <osg/ColorMask>
 #include <osg/LightModel>
+#include <osg/Program>
 #include <osg/TexEnv>
 #include <osg/TexGen>
 #include <osg/Texture2D>
@@ -46,6 +49,13 @@ int orderOf(const osg::Depth* depth)
     return depth->getFunction() == osg::Depth::GREATER || depth->getFunction() == osg::Depth::GEQUAL ? -1 : 0;
 }
 
+bool hasLightShader(const osg::Program& program)
+{
+    for (unsigned i = 0; i < program.getNumShaders(); ++i)
+        if (LightShader::isOne(*program.getShader(i))) return true;
+    return false;
+}
+
 }  // namespace
 
 const char* const SurfaceState::gbufferDefine = "OSGENVLIGHT_GBUFFER";
@@ -56,7 +66,10 @@ void SurfaceState::merge(const osg::StateSet& s)
     for (const auto& [key, pair] : s.getAttributeList())
         if (key.second == 0) mergeAttribute(key.first, pair);
     if (!s.getTextureModeList().empty() || !s.getTextureAttributeList().empty()) mergeTextures(s);
-    if (s.getAttribute(osg::StateAttribute::PROGRAM)) _ownProgram = !s.getDefinePair(gbufferDefine);
+    if (const osg::StateAttribute* program = s.getAttribute(osg::StateAttribute::PROGRAM)) {
+        _ownProgram = !s.getDefinePair(gbufferDefine);
+        _litProgram = hasLightShader(static_cast<const osg::Program&>(*program));
+    }
     if (!s.getUniformList().empty()) mergeMaps(s);
 }
 

@@ -97,7 +97,9 @@ class OSGENVLIGHT_EXPORT SurfaceState
     /** What of its state is left out of its lit picture; null if nothing is. */
     const char* ignored() const;
     /** The environment lights it where it is drawn forward, unless it is unsupported. */
-    bool litForward() const { return !_ownProgram && _lighting.on; }
+    bool litForward() const { return _ownProgram ? _litProgram : _lighting.on; }
+    /** A program of the user's asks the environment itself. */
+    bool litProgram() const { return _ownProgram && _litProgram; }
     /** Whether the depth buffer decides if it is seen, and learns of it. */
     bool depthTested() const { return _depthTest.on; }
     bool depthWritten() const;
@@ -151,6 +153,7 @@ class OSGENVLIGHT_EXPORT SurfaceState
     std::array<TextureStage, units> _stages;
     const osg::Depth* _nodeDepth = nullptr;
     bool _ownProgram = false;
+    bool _litProgram = false;  // it has a LightShader
     int _brdf = -1;
     std::array<int, 7> _mapUnits{};  // 0: none
     float _coat = 0.0f;              // its strength

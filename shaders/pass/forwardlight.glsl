@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+// Light on surfaces that no G-buffer holds: the same environment functions, one look-up for the lobe in place of the importance
+// samples. What hides light from them the shadow maps say: of the sky's each pixel of a 2x2 cell asks a quarter, and the cell shares
+// what its four know; of each sun's disc eight points.
+#ifndef FORWARDLIGHT_GLSL
+#define FORWARDLIGHT_GLSL
+#pragma import_defines(HAS_COATS, HAS_ANISOTROPY, HAS_SPECULAR, HAS_SUNS, SUN_DIFFUSE, HAS_ATLAS, HAS_SUN_MAPS, HAS_BOUNCE, HAS_SCENE_LIGHTS)
+
+#include "lib/frame.glsl"
+#include "lib/limits.glsl"
+#include "lib/octahedral.glsl"
+#include "lib/sequence.glsl"
+#include "lib/tone.glsl"
+#include "pass/albedo.glsl"
+#include "pass/hostcolor.glsl"
+#include "pass/irradiance.glsl"
+#include "pass/litsurface.glsl"
+#if defined(HAS_SUNS) || defined(HAS_SUN_MAPS)
+#include "lib/glint.glsl"
+#include "pass/suns.glsl"
+#endif
+#ifdef HAS_ATLAS
+#include "pass/atlas.glsl"
+#endif
+#ifdef HAS_SUN_MAPS
+#include "pass/sunshadow.glsl"
+uniform mat4 sunsFromEye;
+#endif
+#ifdef HAS_BOUNCE
+#include "pass/meanradiance.glsl"
+#endif
+#ifdef HAS_SCENE_LIGHTS
+#include "pass/scenelights.glsl"
+#endif
+#include "pass/display.glsl"
+
+#ifdef HAS_SPECULAR
+uniform sampler2D pyramidMap;
+uniform float pyramidSide;
+uniform float pyramidLastLevel;
+#endif
+uniform float radianceScale;
+uniform mat3 mapFromEyeForward;
+
+// Shares of the map's light, of all directions and of the lobe that reach the surface.
+struct SkySeen {
+    vec3 light;
+    float ambient;
+    float lobe;
+};
+
+#ifdef HAS_ATLAS
+// Mean of the 2x2 pixels that are shaded together. Which of a pair this one is, the derivative of their parities says: where they
+// begin depends on the window's height.
+vec4 cellMean(vec4 v, ivec2 p)
+{
+    vec2 parity = vec2(p);
+    vec2 first = vec2((p.x == 0) == (dFdx(parity.x) > 0.0) ? 0.5 : -0.5, (p.y == 0) == (dFdy(parity.y) > 0.0) ? 0.5 : -0.5);
+    vec4 row = v + first.x * dFdx(v);
+    return row + first.y * dFdy(row);
+}
+#endif
+
+// The frame of the surface's lobe, in eye space.
+mat3 frameOf(Surface s)
+{
+#ifdef HAS_ANISOTROPY
+    if (dot(s.brushed, s.brushed) > 0.0) {
+        vec3 x = normalize(s.brushed);
+        return mat3(x, cross(s.normal, x), s.normal);
+    }
+#endif
+    return frameAround(s.normal);
+}
+
+// The direction to the eye in the frame about a normal, above the surface.
+vec3 localView(vec3 ray, mat3 frame)
+{
+    vec3 v = -ray * frame;
+    return normalize(vec3(v.xy, max(v.z, 1e-4)));
+}
+
+// Narrower lobes would hold too few of the map's lights.
+const float LEAST_ALPHA = 0.3;
+
+SkySeen skySeen(Surface s)
+{
+#ifdef HAS_ATLAS
+    vec3 point = vec3(atlasFromEye * vec4(s.position, 1.0));
+    vec3 normal = mat3(atlasFromEye) * s.normal;
+    mat3 localFromEye = transpose(frameAround(s.normal));
+    vec3 view = localFromEye * -s.ray;
+    mat3 localFromLights = localFromEye * transpose(mat3(atlasFromEye));
+    vec4 num = vec4(0.0);
+    vec4 den = vec4(0.0);
+    vec2 lobe = vec2(0.0);
+    ivec2 p = ivec2(gl_FragCoord.xy) & 1;
+    int count = textureSize(atlasLightMap, 0).x;
+    for (int group = p.x + 2 * p.y; group < 16; group += 4)
+        for (int i = 0; i < count; ++i) {
+            AtlasLight light = atlasLight(group, i);
+            float c = dot(normal, light.direction);
+            if (c <= 0.0) continue;
+            vec4 e = c * vec4(light.flux, light.solidAngle);
+            float l = e.a * lobeShare(view, localFromLights * light.direction, max(s.roughness * s.roughness, LEAST_ALPHA));
+            float seen = atlasSees(light, point, normal, c);
+            num += seen * e;
+            den += e;
+            lobe += l * vec2(seen, 1.0);
+        }
+    num = cellMean(num, p);
+    den = cellMean(den, p);
+    lobe = cellMean(vec4(lobe, 0.0, 0.0), p).xy;
+    // Of nothing nothing is hidden.
+    vec4 share = mix(vec4(1.0), num / max(den, vec4(1e-20)), greaterThan(den, vec4(0.0)));
+    return SkySeen(share.rgb, share.a, lobe.y > 0.0 ? lobe.x / lobe.y : 1.0);
+#else
+    return SkySeen(vec3(1.0), 1.0, 1.0);
+#endif
+}
+
+#ifdef HAS_SUNS
+float sunShare(int sun, Surface s)
+{
+#ifdef HAS_SUN_MAPS
+    SunPixel q;
+    q.point = vec3(sunsFromEye * vec4(s.position + s.bulge * length(s.position) * s.normal, 1.0));
+    q.normal = mat3(sunsFromEye) * s.normal;
+    q.ray = mat3(sunsFromEye) * s.ray;
+    q.quantum = 0.0;
+    q.footprint = 1.0;
+    q.group = bayer4(int(gl_FragCoord.x), int(gl_FragCoord.y));
+    return sunSeen(sun, q, 8).x;
+#else
+    return 1.0;
+#endif
+}
+#endif
+
+// What a surface is made of, its coat and what is below. Without a coat that reflects nothing.
+struct Layers {
+    Bsdf base;
+#ifdef HAS_COATS
+    Bsdf coat;
+#endif
+};
+
+Layers layersOf(Surface s)
+{
+    Layers layers;
+    layers.base = bsdfOf(s.brdf, s.f0, s.roughness, max(-dot(s.normal, s.ray), 1e-4));
+#ifdef HAS_ANISOTROPY
+    if (s.anisotropy > 0.0) layers.base = anisotropicBsdfOf(s.f0, s.roughness, s.anisotropy, localView(s.ray, frameOf(s)));
+#endif
+#ifdef HAS_COATS
+    vec2 table = lobeAlbedo(BRDF_COOK_TORRANCE, s.coat.roughness, max(-dot(s.coatNormal, s.ray), 1e-4));
+    layers.coat = coatBsdf(s.coat, table);
+    layers.base = belowCoat(layers.base, layers.coat.reflected);
+#endif
+    return layers;
+}
+
+#ifdef HAS_SCENE_LIGHTS
+// What the surface's lobes send to the eye of the application's lights, and what its Lambert layer receives, over pi.
+void addSceneLights(Surface s, Layers layers, inout vec3 glint, inout vec3 received)
+{
+    mat3 eyeFromLocal = frameOf(s);
+    vec3 v = localView(s.ray, eyeFromLocal);
+#ifdef HAS_COATS
+    mat3 eyeFromCoat = frameAround(s.coatNormal);
+    vec3 coatView = localView(s.ray, eyeFromCoat);
+#endif
+    for (int i = 0; i < sceneLightCount; ++i) {
+        vec3 direction;
+        vec3 light = sceneLightAt(i, s.position, direction);
+        vec3 l = direction * eyeFromLocal;
+        received += light * lightLambert(vec3(1.0), l);
+        glint += light * lightLobe(layers.base, v, l);
+#ifdef HAS_COATS
+        glint += light * lightLobe(layers.coat, coatView, direction * eyeFromCoat);
+#endif
+    }
+}
+#endif
+
+#ifdef HAS_SPECULAR
+// What the lobe sends to the eye of the map, over its albedo. Half of a GGX lobe's energy lies within a cone of about tan = alpha.
+vec3 mirrored(Bsdf b, vec3 ray, vec3 normal)
+{
+    float lod = log2(max(evenAlpha(b) * pyramidSide, 1.0));
+    return pyramidLookup(pyramidMap, pyramidSide, pyramidLastLevel, mapFromEyeForward * reflect(ray, normal), lod);
+}
+#endif
+
+// What the host draws to, and the coverage: what a surface mirrors does not fade with its transparency.
+vec4 forwardColor(Surface s)
+{
+    Layers layers = layersOf(s);
+    Bsdf b = layers.base;
+    vec3 radiance = s.emission;
+    float alpha = s.alpha;
+    vec3 mapNormal = mapFromEyeForward * s.normal;
+    SkySeen seen = skySeen(s);
+    vec3 irradiance = irradianceOverPi(mapNormal) * seen.light;
+    vec3 sunGlint = vec3(0.0);
+#ifdef HAS_SUNS
+    mat3 mapFromLocal = mapFromEyeForward * frameOf(s);
+    vec3 local = localView(mapFromEyeForward * s.ray, mapFromLocal);
+    Bsdf shiny = b;  // a sun's mirror image is a disc of few pixels
+    shiny.roughness = max(b.roughness, 0.03);
+#ifdef HAS_COATS
+    mat3 mapFromCoat = frameAround(mapFromEyeForward * s.coatNormal);
+    vec3 coatLocal = localView(mapFromEyeForward * s.ray, mapFromCoat);
+    Bsdf shinyCoat = layers.coat;
+    shinyCoat.roughness = max(shinyCoat.roughness, 0.03);
+#endif
+    for (int i = 0; i < sunCount; ++i) {
+        vec3 sun = sunShare(i, s) * sunRadiance[i];
+#ifdef SUN_DIFFUSE
+        irradiance += sun * discIrradianceOverPi(dot(mapNormal, sunDirection[i]), sunRadius[i]);
+#endif
+#ifdef HAS_SPECULAR
+        sunGlint += sun * bsdfDisc(shiny, sunDirection[i] * mapFromLocal, local, sunRadius[i]);
+#ifdef HAS_COATS
+        sunGlint += sun * bsdfDisc(shinyCoat, sunDirection[i] * mapFromCoat, coatLocal, sunRadius[i]);
+#endif
+#endif
+    }
+#endif
+    vec3 sceneGlint = vec3(0.0);
+    vec3 sceneReceived = vec3(0.0);
+#ifdef HAS_SCENE_LIGHTS
+    addSceneLights(s, layers, sceneGlint, sceneReceived);
+#endif
+    if (s.brdf != BRDF_LAMBERT) {
+        vec3 glint = sceneGlint;
+        vec3 reflected = b.reflected;
+#ifdef HAS_COATS
+        reflected += layers.coat.reflected;
+#endif
+#ifdef HAS_SPECULAR
+        vec3 sky = b.reflected * mirrored(b, s.ray, s.normal);
+#ifdef HAS_COATS
+        sky += layers.coat.reflected * mirrored(layers.coat, s.ray, s.coatNormal);
+#endif
+        glint += (sky * seen.lobe + sunGlint) * radianceScale;
+#ifdef HAS_BOUNCE
+        glint += reflected * (1.0 - seen.lobe) * meanRadiance(reflect(s.ray, s.normal));
+#endif
+#endif
+        // A reflection does not fade with the body's transparency: blending multiplies by alpha, so alpha rises with it.
+        float strength = max(reflected.r, max(reflected.g, reflected.b));
+        alpha = mix(s.alpha, 1.0, clamp(strength, 0.0, 1.0));
+        radiance += glint / max(alpha, 1e-3);
+    }
+    vec3 received = irradiance * radianceScale + sceneReceived;
+#ifdef HAS_BOUNCE
+    received += (1.0 - seen.ambient) * meanRadiance(s.normal);
+#endif
+    radiance += s.albedo * received * b.body * (s.alpha / max(alpha, 1e-3));
+    return vec4(display(radiance, ivec2(gl_FragCoord.xy)), alpha);
+}
+
+#endif
