@@ -57,7 +57,7 @@ class Accessors
     static osg::ref_ptr<osg::Array> make(const std::vector<float>& values, unsigned components)
     {
         osg::ref_ptr<Array> array = new Array(osg::Array::BIND_PER_VERTEX, unsigned(values.size() / components));
-        for (std::size_t i = 0; i < values.size(); ++i) (*array)[i / components][int(i % components)] = values[i];
+        for (std::size_t i = 0; i < values.size(); ++i) (*array)[i / components].ptr()[i % components] = values[i];
         return array;
     }
 

@@ -12,8 +12,8 @@ namespace osgEnvLight::gltf
 osg::ref_ptr<osg::LightSource> makeLight(const tinygltf::Light& light, int number)
 {
     osg::Vec4d color(1.0, 1.0, 1.0, 1.0);
-    for (std::size_t i = 0; i < light.color.size() && i < 3; ++i) color[int(i)] = light.color[i];
-    for (int i = 0; i < 3; ++i) color[i] *= light.intensity / osg::PI;
+    for (std::size_t i = 0; i < light.color.size() && i < 3; ++i) color.ptr()[i] = light.color[i];
+    for (int i = 0; i < 3; ++i) color.ptr()[i] *= light.intensity / osg::PI;
 
     osg::ref_ptr<osg::Light> result = new osg::Light(unsigned(number));
     result->setName(light.name);

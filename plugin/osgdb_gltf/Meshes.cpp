@@ -132,7 +132,7 @@ void Meshes::fillColors(osg::Geometry& geometry, const tinygltf::Primitive& p, c
     osg::ref_ptr<osg::Vec4Array> colors = new osg::Vec4Array(osg::Array::BIND_PER_VERTEX, unsigned(vertices));
     for (std::size_t i = 0; i < vertices; ++i) {
         osg::Vec4d c = base;
-        for (unsigned k = 0; k < width; ++k) c[int(k)] *= values[i * width + k];
+        for (unsigned k = 0; k < width; ++k) c.ptr()[k] *= values[i * width + k];
         (*colors)[i] = displayColor(c);
     }
     geometry.setColorArray(colors);

@@ -42,8 +42,7 @@ TEST(GltfMeshes, TextAndBinaryAreTheSame)
 
 TEST(GltfMeshes, EveryModeIsOpenGls)
 {
-    for (const GLenum mode :
-         {GL_POINTS, GL_LINES, GL_LINE_LOOP, GL_LINE_STRIP, GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN}) {
+    for (const int mode : {GL_POINTS, GL_LINES, GL_LINE_LOOP, GL_LINE_STRIP, GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN}) {
         File file;
         json primitive = file.triangle();
         primitive["mode"] = mode;
@@ -51,7 +50,7 @@ TEST(GltfMeshes, EveryModeIsOpenGls)
         const osg::ref_ptr<osg::Node> node = readNode(file);
         osg::Geometry* g = geometryOf(node);
         ASSERT_TRUE(g);
-        EXPECT_EQ(g->getPrimitiveSet(0)->getMode(), mode);
+        EXPECT_EQ(int(g->getPrimitiveSet(0)->getMode()), mode);
         osg::TriangleFunctor<CountTriangles> triangles;
         g->accept(triangles);
         EXPECT_EQ(triangles.count, mode >= GL_TRIANGLES ? 1 : 0);

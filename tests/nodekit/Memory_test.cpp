@@ -76,7 +76,8 @@ class Memory : public testing::TestWithParam<std::tuple<Change, OnScreen::Thread
 
 TEST_P(Memory, StaysLevelUnderChangesOfSettings)
 {
-    const auto& [change, threading] = GetParam();
+    const auto& change = std::get<0>(GetParam());
+    const auto threading = std::get<1>(GetParam());
     osg::ref_ptr<LitScene> lit = makeSmall();
     OnScreen screen(lit.get(), threading);
     const int settle = 6, warm = 60;

@@ -33,7 +33,7 @@ void handOverCameras(FrameContext& c)
         SurfaceSorter::release(stage, *c.frame.fill->getStateSet());
         const osg::Camera* camera = stage.getCamera();
         if (!camera) return;
-        const auto inherits = [&](unsigned what) { return (camera->getInheritanceMask() & what) != 0; };
+        const auto inherits = [&](unsigned what) { return (unsigned(camera->getInheritanceMask()) & what) != 0; };
         if (!camera->getViewport()) stage.setViewport(c.host.getViewport());
         if (!camera->getColorMask()) stage.setColorMask(c.host.getColorMask());
         if (inherits(osg::CullSettings::DRAW_BUFFER))

@@ -32,8 +32,8 @@ SceneLight convert(const osg::Light& light, const osg::Matrixd& toEye)
     SceneLight s;
     s.number = unsigned(light.getLightNum());
     s.name = light.getName().empty() ? "GL_LIGHT" + std::to_string(s.number) : "'" + light.getName() + "'";
-    const osg::Vec4& color = light.getDiffuse();
-    for (unsigned i = 0; i < 3; ++i) s.color[i] = std::isfinite(color[i]) && color[i] > 0.0f ? color[i] : 0.0f;
+    const float* color = light.getDiffuse().ptr();
+    for (int i = 0; i < 3; ++i) s.color[i] = std::isfinite(color[i]) && color[i] > 0.0f ? color[i] : 0.0f;
     osg::Vec4d position = osg::Vec4d(light.getPosition()) * toEye;
     osg::Vec3d xyz(position[0], position[1], position[2]);
     if (position[3] != 0.0)

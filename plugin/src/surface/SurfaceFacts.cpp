@@ -126,8 +126,8 @@ void addMeans(TextureFacts& facts, const osg::Image& image)
         for (int x = 0; x < columns; ++x) {
             const osg::Vec4 c =
                 image.getColor(unsigned((2 * x + 1) * image.s() / (2 * columns)), unsigned((2 * y + 1) * image.t() / (2 * rows)));
-            for (int k = 0; k < 3; ++k) sum[k] += facts.linear ? double(c[k]) : glsl::srgbDecode(double(c[k]));
-            alpha += double(c[3]);
+            for (int k = 0; k < 3; ++k) sum[k] += facts.linear ? double(c.ptr()[k]) : glsl::srgbDecode(double(c.ptr()[k]));
+            alpha += double(c.a());
         }
     facts.mean = osg::Vec3f(sum / double(columns * rows));
     facts.opacity = float(alpha / double(columns * rows));
