@@ -77,28 +77,32 @@ vec3 atlasLookupPoint(vec3 p, vec3 n, float cosine, float texel)
     return p + n * (0.1 * texel * sqrt(max(1.0 - cosine * cosine, 0.0)));
 }
 
-// Whether the plane of a texel's first surface is above height at offset from its centre, by more than a tenth of a texel.
-bool underPlane(vec4 texel, vec2 offset, float height, int size)
+// Whether the plane through a texel's middle is above height at offset from its centre, by more than a tenth of a texel. gradient: of
+// the first surface.
+bool underPlane(float middle, vec2 gradient, vec2 offset, float height, int size)
 {
-    return texel.x + dot(unpackedRise(texel.y), offset) > height + 0.1 / float(size) + ATLAS_STEP;
+    return middle + dot(gradient, offset) > height + 0.1 / float(size) + ATLAS_STEP;
 }
 
 // 1 if the point at texel position xy and height sees the light of the map that starts at corner, else 0. rise: of the point's
 // plane to the texel's centre, where the map was made; believed as far as the first surface rises, too: else it is another.
-// A wall's foot rises as steeply, and is under the floor that the light comes through: so it is under the floor's plane, where
-// it is itself and by the next texel, too, while beyond a body's edge the next texel shows another side.
+// The light from below a floor must not reach the wall that stands on it. The wall may rise that far within the texel, but it is under
+// the floor's plane. So is a point beside the edge of a body, under the plane of its other side. The next texel tells the two apart:
+// there the floor goes on, and the body's other side does not.
 float atlasVisible(sampler2D atlasMap, ivec2 corner, int size, vec2 xy, float height, float rise)
 {
     if (min(xy.x, xy.y) < 0.0 || max(xy.x, xy.y) >= float(size)) return 1.0;
     ivec2 p = ivec2(xy);
     vec4 middle = texelFetch(atlasMap, corner + p, 0);
-    if (middle.x > height + clamp(rise, 0.0, riseToCorner(length(unpackedRise(middle.y)))) + ATLAS_STEP) return 0.0;
+    vec2 gradient = unpackedRise(middle.y);
+    if (middle.x > height + clamp(rise, 0.0, riseToCorner(length(gradient))) + ATLAS_STEP) return 0.0;
     vec2 offset = xy - vec2(p) - 0.5;
-    if (!underPlane(middle, offset, height, size)) return 1.0;
+    if (!underPlane(middle.x, gradient, offset, height, size)) return 1.0;
     ivec2 next = abs(offset.x) > abs(offset.y) ? ivec2(offset.x < 0.0 ? -1 : 1, 0) : ivec2(0, offset.y < 0.0 ? -1 : 1);
     ivec2 q = p + next;
     if (min(q.x, q.y) < 0 || max(q.x, q.y) >= size) return 1.0;
-    return underPlane(texelFetch(atlasMap, corner + q, 0), offset - vec2(next), height, size) ? 0.0 : 1.0;
+    vec4 beside = texelFetch(atlasMap, corner + q, 0);
+    return underPlane(beside.x, unpackedRise(beside.y), offset - vec2(next), height, size) ? 0.0 : 1.0;
 }
 
 #endif
