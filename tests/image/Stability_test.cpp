@@ -79,6 +79,20 @@ double display(double radiance)
     return 255.0 * (c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055);
 }
 
+// Standard deviation over time, in steps of the display, of what moves to the left by a pixel a picture and is at x, y in the
+// first.
+double deviationOf(const std::vector<Picture>& pictures, int x, int y)
+{
+    const double count = double(pictures.size());
+    double sum = 0.0, squares = 0.0;
+    for (size_t f = 0; f < pictures.size(); ++f) {
+        const double v = display(pictures[f].color(x - int(f), y)[1]);
+        sum += v / count;
+        squares += v * v / count;
+    }
+    return std::sqrt(std::max(squares - sum * sum, 0.0));
+}
+
 }  // namespace
 
 TEST(Stability, TwoFramesOfAStillViewAreIdentical)
@@ -109,13 +123,7 @@ TEST(Stability, NothingFlickersWhenTheViewPansByAPixelAFrame)
     int count = 0;
     for (int y = 16; y < side / 2 + 8; ++y)  // the floor before the post
         for (int x = 40; x < side - 16; ++x) {
-            double sum = 0.0, squares = 0.0;
-            for (int f = 0; f < frames; ++f) {
-                const double v = display(pictures[size_t(f)].color(x - f, y)[1]);
-                sum += v / frames;
-                squares += v * v / frames;
-            }
-            const double deviation = std::sqrt(std::max(squares - sum * sum, 0.0));
+            const double deviation = deviationOf(pictures, x, y);
             worst = std::max(worst, deviation);
             mean += deviation;
             ++count;
@@ -128,7 +136,7 @@ namespace
 {
 
 struct Steadiness {
-    double mean = 0.0;  // standard deviation over time [steps of an 8-bit display]
+    double mean = 0.0;  // of deviationOf()
     double worst = 0.0;
     double over2 = 0.0;  // share of the pixels
 };
@@ -159,13 +167,7 @@ Steadiness panAcrossABall(float roughness, int reflections)
         for (int x = frames; x < side; ++x) {
             const double dx = (x - frames / 2 + 0.5 - side / 2) * pixel, dy = (y + 0.5 - side / 2) * pixel;
             if (dx * dx + dy * dy > 0.81) continue;
-            double sum = 0.0, squares = 0.0;
-            for (int f = 0; f < frames; ++f) {
-                const double v = display(pictures[size_t(f)].color(x - f, y)[1]);
-                sum += v / frames;
-                squares += v * v / frames;
-            }
-            const double deviation = std::sqrt(std::max(squares - sum * sum, 0.0));
+            const double deviation = deviationOf(pictures, x, y);
             result.worst = std::max(result.worst, deviation);
             result.mean += deviation;
             result.over2 += deviation > 2.0;
@@ -178,8 +180,8 @@ Steadiness panAcrossABall(float roughness, int reflections)
 
 }  // namespace
 
-// Deviations of more than 2 steps are where the ball shows the floor at the picture's end, which is in the way of the map or out
-// of view.
+// Measured, in steps of the display: where black hides the map 0 to .37 in the mean, and one pixel of 4060 over 2. With the
+// scene's reflections .14 to .53; up to 4 % of the pixels are over 2: they show the floor at the picture's end.
 TEST(Stability, ReflectionsKeepStillWhenTheViewPansByAPixelAFrame)
 {
     for (const float roughness : {0.0f, 0.1f, 0.2f, 0.35f, 0.6f}) {

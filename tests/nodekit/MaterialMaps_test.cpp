@@ -13,6 +13,8 @@
 
 #include <cmath>
 
+#include "Blended.h"
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Material;
 using osgEnvLight::Settings;
@@ -184,13 +186,7 @@ TEST_F(MaterialMaps, OfAnisotropy)
         Material::setCookTorrance(s, osg::Vec3f(1, 1, 1), 1.0f, 0.2f);
         Material::setAnisotropy(s, strength, rotation, topIsZero, set);
         if (texture) Material::setAnisotropyMap(s, texture);
-        if (forward) {
-            const osg::ref_ptr<osg::Material> material = new osg::Material;
-            material->setAlpha(osg::Material::FRONT_AND_BACK, 0.999f);
-            s.setAttribute(material);
-            s.setMode(GL_BLEND, osg::StateAttribute::ON);
-            s.setRenderingHint(osg::StateSet::TRANSPARENT_BIN);
-        }
+        if (forward) blend(s);
         osg::ref_ptr<LitScene> lit = makeLit(map.get());
         // A light that only the lobe sees: forward surfaces look up the map by one width for all directions.
         const osg::ref_ptr<osg::LightSource> lamp = new osg::LightSource;

@@ -15,6 +15,8 @@
 #include <fstream>
 #include <functional>
 
+#include "Blended.h"
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Material;
 
@@ -179,13 +181,7 @@ double reflectedBy(const std::function<void(osg::StateSet&)>& set, bool forward 
     osg::StateSet& s = *ball->getOrCreateStateSet();
     Material::setCookTorrance(s, osg::Vec3f(), 0.0f, 0.3f);
     set(s);
-    if (forward) {
-        const osg::ref_ptr<osg::Material> material = new osg::Material;
-        material->setAlpha(osg::Material::FRONT_AND_BACK, 0.999f);
-        s.setAttribute(material);
-        s.setMode(GL_BLEND, osg::StateAttribute::ON);
-        s.setRenderingHint(osg::StateSet::TRANSPARENT_BIN);
-    }
+    if (forward) blend(s);
     const osg::ref_ptr<LitScene> lit = makeLit(constantMap(1.0).get());
     lit->getSettings()->background = osgEnvLight::Settings::BACKGROUND_OFF;
     lit->addChild(ball);
