@@ -16,8 +16,8 @@ const float TRACED_ROUGHNESS = 0.5;      // below: the picture is searched for w
 const float SHARED_TURN = 0.2;
 const float SHARED_VISIBILITY_TURN = 1.0;
 
-// Where lobes are drawn out, what blocks them is asked about lobes that are at least so rough across: few of the lights lie in a narrow one,
-// each pixel knows others, and neighbours turned against each other do not share them.
+// Occlusion treats a brushed lobe as at least this rough across its direction. A narrower lobe holds few of the lights. Each pixel of a cell
+// has other lights, and pixels whose narrow lobes differ can't share them: the result would be noise.
 const float LEAST_LIT_BRUSHED = 0.3;
 
 // Below alphas of this range too few of a still view's lights would fall into the lobe.

@@ -21,15 +21,15 @@ vec2 mapCoordinate(int set, mat3 transform)
 #endif
 
 #if defined(NORMAL_MAP) || defined(COAT_NORMAL_MAP) || defined(ENVLIGHT_ANISOTROPY) || defined(TEXTURE_STAGES)
-// The directions in which a picture's columns and rows lie on a surface: to its right and to its top. No longer than 1; 0 where there are
-// none.
+// Directions on a surface: to the right and to the top of a picture that is mapped onto it. Their lengths are 1 at most; 0 means that there
+// are none.
 struct Tangents {
     vec3 right;
     vec3 up;
 };
 
-// Those in which the coordinates st grow in the plane of the unit normal n, the longer of length 1 [Schueler, GPU Pro 4 (2013)]. up: -1 if
-// the second coordinate is 0 at the picture's top.
+// Tangents by the texture coordinates st: the directions in which these grow, in the plane of the unit normal n [Schueler, GPU Pro 4
+// (2013)]. The longer one has length 1. up: -1 if the second coordinate is 0 at the picture's top.
 Tangents coordinateTangents(vec3 n, vec3 eye, vec2 st, float up)
 {
     vec3 across = cross(dFdy(eye), n);
@@ -117,8 +117,8 @@ uniform int envlightAnisotropyMapTexCoord;
 uniform mat3 envlightAnisotropyMapTransform;
 #endif
 
-// Strength, and the direction in which highlights are drawn out, of any length in the plane of the unit normal n. Where coordinates do not
-// change, the surface is as if it were turned on a lathe, about its third axis.
+// xyz: the direction in which highlights are drawn out, in the plane of the unit normal n, of any length. w: the strength. A surface without
+// texture coordinates is brushed as on a lathe, around the z axis of its geometry.
 vec4 surfaceAnisotropy(vec3 n, vec3 eye)
 {
     vec2 d = envlightAnisotropyDirection;
