@@ -112,6 +112,7 @@ inline vec4 textureLod(const sampler2D& s, vec2 st, double)
 #include "lib/octahedral.glsl"
 #include "lib/opensky.glsl"
 #include "lib/phong.glsl"
+#include "lib/prefiltered.glsl"
 #include "lib/scenelight.glsl"
 #include "lib/sequence.glsl"
 #include "lib/sh.glsl"

@@ -92,7 +92,7 @@ Picture Measurement::view(int view)
 const Picture& Measurement::specular()
 {
     Settings& s = *_lit.getSettings();
-    const auto [known, isNew] = _speculars.try_emplace(std::make_tuple(s.specular, s.specularSamples, s.suns, s.filterCells));
+    const auto [known, isNew] = _speculars.try_emplace(std::make_tuple(s.specular, s.specularMethod, s.specularSamples, s.suns, s.filterCells));
     if (!isNew) return known->second;
     const int visibility = s.visibility;
     s.visibility = Settings::VISIBILITY_NONE;

@@ -39,7 +39,7 @@ class Measurement
     const osg::ref_ptr<osgEnvLight::Settings> _base;
     int _frames;
     Terms _pictures;
-    std::map<std::tuple<bool, int, int, int>, osgEnvLight::Picture> _speculars;
+    std::map<std::tuple<bool, int, int, int, int>, osgEnvLight::Picture> _speculars;
 };
 
 }  // namespace tradeoff

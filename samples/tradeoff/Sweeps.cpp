@@ -51,6 +51,7 @@ const std::vector<Sweep>& defaultSweeps()
          Sweep::ANY,
          false},
         {"suns", {"off", "glossy", "auto"}, {}, Sweep::ANY, false},
+        {"specularMethod", {"sampled", "prefiltered"}, {}, Sweep::SPECULAR, true},
         {"specularSamples", {"4", "8", "16", "32", "64", "128"}, {}, Sweep::SPECULAR, true},
         {"reflections", {"off", "map", "screen"}, {}, Sweep::FULL_TRANSPORT, true},
         {"reflectionSteps", {"4", "8", "16", "32", "64"}, {}, Sweep::SPECULAR, false},

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The filter of S along one direction. It averages a whole number of 4x4 cells, and pixels whose lobes are alike.
+// The filter of S along one direction. It averages a whole number of 4x4 cells, and pixels whose lobes are alike. With PREFILTERED the map's
+// radiance has no noise, and stays as it is.
 #ifndef LOBEFILTER_GLSL
 #define LOBEFILTER_GLSL
-#pragma import_defines(HAS_LOBE_LIGHTS)
+#pragma import_defines(HAS_LOBE_LIGHTS, PREFILTERED)
 
 #include "pass/lobeneighbours.glsl"
 #include "pass/lobesums.glsl"
@@ -21,7 +22,9 @@ struct LobeSums {
 LobeSums filteredLobes(ivec2 p, ivec2 direction)
 {
     LobeReceiver receiver = lobeReceiver(p);
+#ifndef PREFILTERED
     float narrowness = lobeNarrowness(receiver.roughness, SHARED_TURN);
+#endif
     float litRoughness = receiver.roughness;
 #ifdef HAS_ANISOTROPY
     if (pixelAnisotropy(p).strength > 0.0) litRoughness = max(litRoughness, LEAST_LIT_BRUSHED);
@@ -36,7 +39,9 @@ LobeSums filteredLobes(ivec2 p, ivec2 direction)
         ivec2 known = clamp(q, ivec2(0), last);
         float turn;
         float w = lobeNeighbour(receiver, known, abs(float(i)), turn) * (q == known ? cellWeight(i, halfWidth) : 0.0);
+#ifndef PREFILTERED
         sums.estimate += w * lobeWeight(turn, narrowness) * texelFetch(estimateMap, known, 0);
+#endif
 #ifdef HAS_LOBE_LIGHTS
         LobeLights lights = unpackLobeLights(texelFetch(lobeLightMap, known, 0));
         w *= lobeWeight(turn, seenNarrowness);

@@ -39,7 +39,11 @@ void main()
 #endif
 #else
     LobeSums sums = filteredLobes(p, ivec2(0, 1));
+#ifdef PREFILTERED
+    vec4 estimate = texelFetch(estimateMap, p, 0);
+#else
     vec4 estimate = sums.estimate;
+#endif
 #ifdef HAS_LOBE_LIGHTS
     LobeSeen seen = lobeSeen(sums.lights);
     shown = seen.light;

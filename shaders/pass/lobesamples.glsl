@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 // What a lobe reflects of the map, the integral of L f_H cos [seed 000, eq. 3, first term], and of the suns. Filtered importance
 // sampling [Colbert, Krivanek 2008] draws directions from the BRDF. It looks each up in the level of the pyramid whose texels are as
-// wide as the sample's share of the lobe. Radiance in units of the map's mean.
+// wide as the sample's share of the lobe. With PREFILTERED, one look-up instead. Radiance in units of the map's mean.
 #ifndef LOBESAMPLES_GLSL
 #define LOBESAMPLES_GLSL
-#pragma import_defines(HAS_SUNS)
+#pragma import_defines(HAS_SUNS, PREFILTERED)
 
 #include "lib/frame.glsl"
 #include "lib/latlong.glsl"
 #include "lib/limits.glsl"
 #include "lib/octahedral.glsl"
+#include "lib/prefiltered.glsl"
 #include "lib/sequence.glsl"
 #include "pass/albedo.glsl"
 #ifdef HAS_SUNS
@@ -17,7 +18,11 @@
 #include "pass/suns.glsl"
 #endif
 
+#ifdef PREFILTERED
+uniform sampler2D prefilteredMap;
+#else
 uniform sampler2D pyramidMap;
+#endif
 uniform sampler2D latlongMap;
 uniform float pyramidSide;
 uniform float pyramidLastLevel;
@@ -57,6 +62,34 @@ vec3 mirror(vec3 d)
     return textureLod(latlongMap, latlongFromDirection(d), 0.0).rgb;
 }
 
+#if defined(HAS_PHONG) || defined(HAS_STRAUSS)
+// What a narrow lobe about the mirror direction reflects of an even light.
+vec3 mirroredAlbedo(Bsdf b, float cosV)
+{
+    float n = phongExponent(b.roughness);
+    return bsdfMirrored(b, cosV, cosV) * ((n + 2.0) / (n + 1.0) * cosV);
+}
+#endif
+
+#ifdef PREFILTERED
+// Lobes without GGX's long tails are as narrow as a narrower one of GGX; those about the mirror direction turn half as much as normals.
+const float TAILLESS = 0.6;
+
+// As of samples: radiance and weight.
+vec4 sampled(LobePixel l)
+{
+    Bsdf b = l.bsdf;
+    float alpha = l.alpha * (b.brdf == BRDF_COOK_TORRANCE ? 1.0 : TAILLESS) * (isMirrored(b.brdf) ? 0.5 : 1.0);
+    float level = prefilteredLevel(pyramidSide, alpha);
+    vec3 d = l.mapFromLocal * dominantDirection(l.view, alpha);
+    vec3 seen = pyramidLookup(prefilteredMap, pyramidSide, pyramidLastLevel, d, level);
+    if (level < 0.0) seen = mix(mirror(d), seen, exp2(level));
+#if defined(HAS_PHONG) || defined(HAS_STRAUSS)
+    if (isMirrored(b.brdf)) return vec4(mirroredAlbedo(b, l.view.z) * seen, 1.0);
+#endif
+    return vec4(b.reflected * seen, 1.0);
+}
+#else
 vec2 unitVector(float angle)
 {
     return vec2(cos(angle), sin(angle));
@@ -164,14 +197,11 @@ vec4 sampled(LobePixel l)
     if (isMicrofacets(l.bsdf.brdf)) return isMirror ? vec4(l.bsdf.energy * bsdfFresnel(l.bsdf, l.view.z) * seen, 1.0) : microfacets(l);
 #endif
 #if defined(HAS_PHONG) || defined(HAS_STRAUSS)
-    if (isMirrored(l.bsdf.brdf)) {
-        float n = phongExponent(l.bsdf.roughness);
-        float c = l.view.z;
-        return isMirror ? vec4(bsdfMirrored(l.bsdf, c, c) * ((n + 2.0) / (n + 1.0) * c) * seen, 1.0) : mirrorLobe(l);
-    }
+    if (isMirrored(l.bsdf.brdf)) return isMirror ? vec4(mirroredAlbedo(l.bsdf, l.view.z) * seen, 1.0) : mirrorLobe(l);
 #endif
     return vec4(0.0);
 }
+#endif
 
 #ifdef HAS_SUNS
 vec3 glint(LobePixel l)

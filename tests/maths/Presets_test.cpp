@@ -52,5 +52,5 @@ TEST(Presets, OtherSettingsOfASceneAreOnTopOfItsPreset)
     osg::ref_ptr<Settings> s = new Settings;
     for (const auto& [name, value] : scene.settings) ASSERT_TRUE(s->set(name, value, error)) << error;
     EXPECT_EQ(s->atlasLights, 96);
-    EXPECT_EQ(s->specularSamples, 8);
+    EXPECT_EQ(s->specularMethod, Settings::SPECULAR_PREFILTERED);
 }

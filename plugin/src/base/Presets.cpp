@@ -12,7 +12,7 @@ const std::vector<Settings::Preset>& Settings::presets()
          {{"atlasLights", "64"},
           {"nearRadius", "0"},
           {"filterCells", "1"},
-          {"specularSamples", "8"},
+          {"specularMethod", "prefiltered"},
           {"sunShadowSize", "512"},
           {"bounce", "mean"}}},
         {"default", "the knee of error against time", {}},

@@ -176,13 +176,8 @@ void store(const Level& level, unsigned number, unsigned baseSide, double scale,
     for (int y = -1; y <= s; ++y) {
         float* out = reinterpret_cast<float*>(atlas.data(unsigned(int(corner.x)), unsigned(int(corner.y) + y + 1)));
         for (int x = -1; x <= s; ++x, out += 3) {
-            const bool overX = x < 0 || x >= s;
-            const bool overY = y < 0 || y >= s;
-            const int fx = overX ? std::clamp(x, 0, s - 1) : x;
-            const int fy = overY ? std::clamp(y, 0, s - 1) : y;
-            const int sx = overY ? s - 1 - fx : fx;
-            const int sy = overX ? s - 1 - fy : fy;
-            const Rgb& c = level.radiance[level.index(unsigned(sx), unsigned(sy))];
+            const glsl::ivec2 p = glsl::foldedTexel(glsl::ivec2(x, y), s);
+            const Rgb& c = level.radiance[level.index(unsigned(p.x), unsigned(p.y))];
             out[0] = float(double(c.r) * scale);
             out[1] = float(double(c.g) * scale);
             out[2] = float(double(c.b) * scale);

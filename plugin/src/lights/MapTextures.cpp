@@ -2,6 +2,7 @@
 #include "lights/MapTextures.h"
 
 #include "environment/Exposure.h"
+#include "environment/PrefilteredMap.h"
 #include "environment/SphericalHarmonics.h"
 #include "lights/IrradianceMap.h"
 
@@ -35,6 +36,7 @@ MapTextures::MapTextures(const RadianceMap* map, const Continuation& former) : M
     _occlusion = former.occlusion;
     if (former.latlong) latlong();
     if (former.pyramid) pyramid();
+    if (former.prefiltered) prefiltered();
     if (former.harmonics) harmonics();
     if (former.chosen) {
         carrier();
@@ -68,6 +70,7 @@ MapTextures::Continuation MapTextures::continuation(bool goesOn) const
     c.options = _options;
     c.latlong = _latlong.valid();
     c.pyramid = _pyramid.valid();
+    c.prefiltered = _prefiltered.valid();
     c.harmonics = _harmonics.valid();
     c.chosen = _carrierMade;
     c.diffuseLights = _diffuseLights.valid();
@@ -87,6 +90,7 @@ void MapTextures::use(const MapOptions& options)
     if (options.suns != _options.suns) {
         _split = SunSplit();
         _pyramid = nullptr;
+        _prefiltered = nullptr;
         _harmonics = nullptr;
         _sunUniforms.clear();
     }
@@ -177,6 +181,15 @@ osg::Texture2D* MapTextures::pyramid()
         setFormat(*_pyramid, makePyramid(residual(), *_grid, _scale).get());
     }
     return _pyramid.get();
+}
+
+osg::Texture2D* MapTextures::prefiltered()
+{
+    if (!_prefiltered) {
+        _prefiltered = new osg::Texture2D;
+        setFormat(*_prefiltered, prefilterPyramid(*pyramid()->getImage(), _side).get());
+    }
+    return _prefiltered.get();
 }
 
 osg::Uniform* MapTextures::harmonics()
@@ -294,22 +307,27 @@ void MapTextures::makeSunUniforms()
     _sunUniforms = {count, direction, radiance, radius};
 }
 
+std::array<osg::Texture2D*, 6> MapTextures::textures() const
+{
+    return {_latlong.get(), _pyramid.get(), _prefiltered.get(), _diffuseLights.get(), _irradiance.get(), _occlusionLights.get()};
+}
+
 void MapTextures::resizeGLObjectBuffers(unsigned maximum)
 {
-    for (osg::Texture2D* t : {_latlong.get(), _pyramid.get(), _diffuseLights.get(), _irradiance.get(), _occlusionLights.get()})
+    for (osg::Texture2D* t : textures())
         if (t) t->resizeGLObjectBuffers(maximum);
 }
 
 void MapTextures::releaseGLObjects(osg::State* state) const
 {
-    for (const osg::Texture2D* t : {_latlong.get(), _pyramid.get(), _diffuseLights.get(), _irradiance.get(), _occlusionLights.get()})
+    for (const osg::Texture2D* t : textures())
         if (t) t->releaseGLObjects(state);
 }
 
 size_t MapTextures::bytes() const
 {
     size_t sum = 0;
-    for (const osg::Texture2D* t : {_latlong.get(), _pyramid.get()})
+    for (const osg::Texture2D* t : {_latlong.get(), _pyramid.get(), _prefiltered.get()})
         if (t)
             sum += size_t(t->getImage()->s()) * size_t(t->getImage()->t()) * (t->getInternalFormat() == GL_RGB16F_ARB ? 6 : 12);
     for (const osg::Texture2D* t : {_diffuseLights.get(), _irradiance.get(), _occlusionLights.get()})

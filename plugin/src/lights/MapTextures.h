@@ -10,6 +10,7 @@
 #include <osg/Texture2D>
 #include <osg/Uniform>
 
+#include <array>
 #include <optional>
 
 namespace osgEnvLight
@@ -30,6 +31,7 @@ class OSGENVLIGHT_EXPORT MapTextures : public osg::Referenced
         MapOptions options;
         bool latlong = false;
         bool pyramid = false;
+        bool prefiltered = false;
         bool harmonics = false;
         bool chosen = false;  // the carrier
         bool diffuseLights = false;
@@ -75,6 +77,9 @@ class OSGENVLIGHT_EXPORT MapTextures : public osg::Referenced
     unsigned pyramidSide() const { return _side; }
     unsigned pyramidLastLevel() const { return osgEnvLight::pyramidLastLevel(_side); }
 
+    /** The same, filtered by lobes of GGX: prefilterPyramid(). */
+    osg::Texture2D* prefiltered();
+
     /** shCoefficients[18]: A_l / pi times the harmonics of listed(). */
     osg::Uniform* harmonics();
 
@@ -110,6 +115,7 @@ class OSGENVLIGHT_EXPORT MapTextures : public osg::Referenced
     void setFormat(osg::Texture2D& texture, osg::Image* image) const;
     osg::ref_ptr<osg::Image> scaledMap() const;
     const SunSplit& split();
+    std::array<osg::Texture2D*, 6> textures() const;  // null: not made
     void makeSunUniforms();
 
     osg::ref_ptr<const RadianceMap> _map;
@@ -122,6 +128,7 @@ class OSGENVLIGHT_EXPORT MapTextures : public osg::Referenced
     DominantLights _formerSuns;
     osg::ref_ptr<osg::Texture2D> _latlong;
     osg::ref_ptr<osg::Texture2D> _pyramid;
+    osg::ref_ptr<osg::Texture2D> _prefiltered;
     osg::ref_ptr<osg::Uniform> _harmonics;
     std::vector<osg::ref_ptr<osg::Uniform>> _sunUniforms;
     // Streams that stand at this map's state, or still at the former's.

@@ -23,12 +23,29 @@ void drawGlossy(PassBuilder& b)
     b.drawMarked(b.find("pixel marks"), limits::MARK_GLOSSY);
 }
 
+// A still view's later frames take samples: their mean is the truth.
+bool isPrefiltered(const FrameContext& c)
+{
+    return c.settings.specularMethod == Settings::SPECULAR_PREFILTERED && !c.hasFirstFrame();
+}
+
+std::string lookUpsOf(const FrameContext& c)
+{
+    return isPrefiltered(c) ? "1 look-up a pixel in the prefiltered map"
+                            : counted(size_t(c.settings.specularSamples), "sample") + " a pixel";
+}
+
 // What pass/lobesamples.glsl reads, but for the suns.
 void readMapOfLobes(PassBuilder& b, FrameContext& c)
 {
     b.readGBuffer();
     b.settings<SpecularSettings>();
-    b.bind(c.textures.pyramid(), "pyramidMap");
+    if (isPrefiltered(c)) {
+        b.define("PREFILTERED");
+        b.bind(c.textures.prefiltered(), "prefilteredMap");
+    } else {
+        b.bind(c.textures.pyramid(), "pyramidMap");
+    }
     b.bind(c.textures.latlong(), "latlongMap");
     readLobes(b, c);
 }
@@ -55,7 +72,7 @@ const TextureDesc packed = {GL_RGBA32UI_EXT};  // as in pass/lobesums.glsl
 
 Requirement SpecularPass::require(const FrameContext& c) const
 {
-    return requireSpecular(c).because(counted(size_t(c.settings.specularSamples), "sample") + " a pixel");
+    return requireSpecular(c).because(lookUpsOf(c));
 }
 
 void SpecularPass::setup(PassBuilder& b, FrameContext& c)
@@ -76,12 +93,16 @@ Requirement LobeRowsPass::require(const FrameContext& c) const
 
 void LobeRowsPass::setup(PassBuilder& b, FrameContext& c)
 {
-    if (c.hasFirstFrame()) return;
+    if (c.hasFirstFrame() || (isPrefiltered(c) && !b.find("lobe lights").valid())) return;
     b.readGBuffer();
     b.settings<FilterSettings>();
-    b.read(b.find("lobe estimate"), "estimateMap");
     drawGlossy(b);
-    b.write(b.create("row estimate", sums));
+    if (isPrefiltered(c)) {
+        b.define("PREFILTERED");
+    } else {
+        b.read(b.find("lobe estimate"), "estimateMap");
+        b.write(b.create("row estimate", sums));
+    }
     if (!b.read("lobe lights", "lobeLightMap")) return;
     b.define("HAS_LOBE_LIGHTS");
     b.write(b.create("row lobe lights", packed));
@@ -91,7 +112,7 @@ Requirement CoatPass::require(const FrameContext& c) const
 {
     Requirement coat = requireSpecular(c);
     coat.unless(!c.facts.surfaces.hasCoats(), "no clear coat in view");
-    return coat.because(counted(size_t(c.settings.specularSamples), "sample") + " a pixel");
+    return coat.because(lookUpsOf(c));
 }
 
 void CoatPass::setup(PassBuilder& b, FrameContext& c)
@@ -115,12 +136,14 @@ Requirement LobesPass::require(const FrameContext& c) const
 
 void LobesPass::setup(PassBuilder& b, FrameContext& c)
 {
-    const bool sharp = c.hasFirstFrame();
+    const bool prefiltered = isPrefiltered(c);
+    const bool sharp = c.hasFirstFrame() || (prefiltered && !b.find("lobe lights").valid());
     b.readGBuffer();
     b.settings<FilterSettings>();
     readLobes(b, c);
     b.define("LOBES_SHARP", sharp);
-    b.read(b.find(sharp ? "lobe estimate" : "row estimate"), "estimateMap");
+    b.define("PREFILTERED", prefiltered);
+    b.read(b.find(sharp || prefiltered ? "lobe estimate" : "row estimate"), "estimateMap");
     if (b.read("sun glint", "sunGlintMap")) b.define("HAS_SUNS");
     b.read("coat", "coatTermMap");
     drawGlossy(b);
