@@ -26,6 +26,7 @@ using ivec2 = glm::ivec2;
 using mat3 = glm::dmat3;
 using mat4 = glm::dmat4;
 using uint = glm::uint;
+using uvec3 = glm::uvec3;
 using glm::abs;
 using glm::acos;
 using glm::atan;
@@ -92,6 +93,7 @@ inline vec4 textureLod(const sampler2D& s, vec2 st, double)
 #define HAS_STRAUSS
 #define HAS_COATS
 #define HAS_ANISOTROPY
+#define HAS_EDGES
 #include "lib/anisotropy.glsl"
 #include "lib/atlas.glsl"
 #include "lib/bilateral.glsl"
@@ -124,6 +126,7 @@ inline vec4 textureLod(const sampler2D& s, vec2 st, double)
 #include "lib/visibility.glsl"
 #undef float
 #undef HAS_ANISOTROPY
+#undef HAS_EDGES
 #undef HAS_PHONG
 #undef HAS_COOK_TORRANCE
 #undef HAS_BLINN_PHONG

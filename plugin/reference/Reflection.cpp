@@ -21,8 +21,9 @@ namespace
 // What the shader takes for a mirror is one here.
 const double mirrorAlpha = 0.0009;
 
-// Scale and offset of F0 at (roughness, cos) in a block of the model's own table, which is part of its definition.
-glm::dvec2 albedoInBlock(const osg::Image& table, int number, double roughness, double cosV)
+// Scale and offset of F0, and what edges take, at (roughness, cos) in a block of the model's own table, which is part of its
+// definition.
+glm::dvec3 albedoInBlock(const osg::Image& table, int number, double roughness, double cosV)
 {
     const int n = table.t();
     const auto* texels = reinterpret_cast<const float*>(table.data());
@@ -31,20 +32,20 @@ glm::dvec2 albedoInBlock(const osg::Image& table, int number, double roughness, 
     const glm::dvec2 f = p - glm::dvec2(i);
     const int block = n * number;
     auto at = [&](int x, int y) {
-        const float* t = texels + 2 * (y * table.s() + block + x);
-        return glm::dvec2(double(t[0]), double(t[1]));
+        const float* t = texels + 3 * (y * table.s() + block + x);
+        return glm::dvec3(double(t[0]), double(t[1]), double(t[2]));
     };
     return (1.0 - f.y) * ((1.0 - f.x) * at(i.x, i.y) + f.x * at(i.x + 1, i.y)) +
            f.y * ((1.0 - f.x) * at(i.x, i.y + 1) + f.x * at(i.x + 1, i.y + 1));
 }
 
-glm::dvec2 microfacetAlbedo(int brdf, double roughness, double cosV)
+glm::dvec3 microfacetAlbedo(int brdf, double roughness, double cosV)
 {
     static const osg::ref_ptr<osg::Image> table = albedoTableImage();
     return albedoInBlock(*table, glsl::albedoBlock(brdf), roughness, cosV);
 }
 
-glm::dvec2 anisotropicAlbedo(const glm::dvec2& alpha, const glm::dvec3& v)
+glm::dvec3 anisotropicAlbedo(const glm::dvec2& alpha, const glm::dvec3& v)
 {
     static const osg::ref_ptr<osg::Image> table = albedoTableImage(true);
     const glm::dvec2 about = glsl::anisotropicRoughness(alpha, v);
@@ -71,6 +72,7 @@ glsl::Bsdf bsdfOf(const Lobe& lobe)
     b.roughness = lobe.roughness;
     b.energy = lobe.energy;
     b.anisotropy = lobe.anisotropy;
+    b.edgeLoss = lobe.edgeLoss;
     return b;
 }
 
@@ -164,17 +166,21 @@ void Reflection::setLobes(const SurfaceMaterial& m)
 {
     // Of the diffuse layer's share the shader asks at the unclamped cosine; both are the same but at grazing angles.
     const double c = _view.z;
-    const glm::dvec2 table =
+    const glm::dvec3 table =
         _base.brdf == Material::STRAUSS
-            ? glm::dvec2(glsl::straussReflectance(glsl::straussSmoothness(glsl::phongExponent(_base.roughness)), c, c))
+            ? glm::dvec3(glsl::straussReflectance(glsl::straussSmoothness(glsl::phongExponent(_base.roughness)), c, c), 0.0)
         : _base.anisotropy > 0.0 ? anisotropicAlbedo(alphaOf(_base), _view)
                                  : microfacetAlbedo(_base.brdf, _base.roughness, c);
-    glsl::Bsdf b = glsl::makeBsdf(_base.brdf, _base.f0, _base.roughness, table);
+    glsl::Bsdf b = glsl::makeBsdf(_base.brdf, _base.f0, _base.roughness, glm::dvec2(table));
+    if (m.edge != glm::dvec3(1.0)) {
+        b = glsl::withEdge(b, glsl::unpackEdge(glsl::packEdge(glm::mix(glm::dvec3(1.0), m.edge, m.metalness))), table.z);
+        _base.edgeLoss = b.edgeLoss;
+    }
     if (m.coat > 0.0) {
         glsl::Coat coat;
         coat.strength = m.coat;
         coat.roughness = m.coatRoughness;
-        const glsl::Bsdf top = glsl::coatBsdf(coat, microfacetAlbedo(Material::COOK_TORRANCE, m.coatRoughness, c));
+        const glsl::Bsdf top = glsl::coatBsdf(coat, glm::dvec2(microfacetAlbedo(Material::COOK_TORRANCE, m.coatRoughness, c)));
         b = glsl::belowCoat(b, top.reflected);
         _emission *= 1.0 - m.coat * glsl::fresnelSchlick(top.f0, c);
         _coat.brdf = Material::COOK_TORRANCE;

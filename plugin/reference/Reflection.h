@@ -48,6 +48,7 @@ class Reflection
     struct Lobe {
         int brdf = 0;  // Material::Brdf
         glm::dvec3 f0{0, 0, 0};
+        glm::dvec3 edgeLoss{0, 0, 0};
         glm::dvec3 energy{1, 1, 1};
         double roughness = 1.0;
         double anisotropy = 0.0;

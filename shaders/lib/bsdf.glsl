@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What a surface is made of: a Lambert layer, and above it a lobe of one of the BRDFs. Each pass that shades asks here, so that all
 // agree. Local frame as in lib/ggx.glsl. Only the lobes that are asked for are compiled: HAS_PHONG, HAS_COOK_TORRANCE,
-// HAS_BLINN_PHONG, HAS_BECKMANN, HAS_STRAUSS, HAS_ANISOTROPY, and HAS_COATS of lib/coat.glsl.
+// HAS_BLINN_PHONG, HAS_BECKMANN, HAS_STRAUSS, HAS_ANISOTROPY, HAS_EDGES, and HAS_COATS of lib/coat.glsl.
 #ifndef BSDF_GLSL
 #define BSDF_GLSL
 
 #ifndef __cplusplus  // see glsl.h
-#pragma import_defines(HAS_PHONG, HAS_COOK_TORRANCE, HAS_BLINN_PHONG, HAS_BECKMANN, HAS_STRAUSS, HAS_ANISOTROPY, HAS_COATS)
+#pragma import_defines(HAS_PHONG, HAS_COOK_TORRANCE, HAS_BLINN_PHONG, HAS_BECKMANN, HAS_STRAUSS, HAS_ANISOTROPY, HAS_EDGES, HAS_COATS)
 #endif
 #if defined(HAS_COOK_TORRANCE) || defined(HAS_COATS)
 #define HAS_GGX
@@ -30,6 +30,9 @@ struct Bsdf {
     float roughness;
 #ifdef HAS_ANISOTROPY
     float anisotropy;  // strength, along the local frame's x; of GGX alone
+#endif
+#ifdef HAS_EDGES
+    vec3 edgeLoss;     // of metals [lib/fresnel.glsl]
 #endif
     vec3 energy;     // factor of the lobe
     vec3 reflected;  // share of light that the lobe reflects: its directional albedo
@@ -111,6 +114,9 @@ Bsdf makeBsdf(int brdf, vec3 f0, float roughness, vec2 table)
 #ifdef HAS_ANISOTROPY
     b.anisotropy = 0.0;
 #endif
+#ifdef HAS_EDGES
+    b.edgeLoss = vec3(0.0);
+#endif
     b.energy = vec3(1.0);
     b.reflected = brdf == BRDF_LAMBERT ? vec3(0.0) : f0;
     b.body = vec3(1.0);
@@ -138,11 +144,27 @@ Bsdf makeBsdf(int brdf, vec3 f0, float roughness, vec2 table)
     return b;
 }
 
+#ifdef HAS_EDGES
+// A metal that reflects less towards grazing angles. table: the mean of edgeShare() [pass/albedo.glsl].
+Bsdf withEdge(Bsdf b, vec3 edge, float table)
+{
+    b.edgeLoss = edgeLoss(b.f0, edge);
+    b.reflected = max(b.reflected - b.edgeLoss * table * b.energy, vec3(0.0));
+    b.body = max(1.0 - b.reflected, vec3(0.0));
+    return b;
+}
+#endif
+
 #ifdef HAS_MICROFACETS
 // The share of light that a facet reflects, at the cosine c to its normal.
 vec3 bsdfFresnel(Bsdf b, float c)
 {
-    return b.brdf == BRDF_BLINN_PHONG ? b.f0 : fresnelSchlick(b.f0, c);
+    if (b.brdf == BRDF_BLINN_PHONG) return b.f0;
+#ifdef HAS_EDGES
+    return max(fresnelSchlick(b.f0, c) - b.edgeLoss * edgeShare(c), vec3(0.0));
+#else
+    return fresnelSchlick(b.f0, c);
+#endif
 }
 
 // Masking and shadowing over four cosines.

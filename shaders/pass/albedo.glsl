@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A lobe's directional albedo for one bounce, as scale and offset of F0. A table over (roughness, sqrt cos) has that of microfacets, with
+// A lobe's directional albedo for one bounce, as scale and offset of F0, and as what edges of metals take. A table over (roughness, sqrt cos) has that of microfacets, with
 // one block for each distribution. Where surfaces are brushed, further blocks have it for GGX by the roughness across the view, over
 // (roughness along the view, sqrt cos).
 #ifndef ALBEDO_GLSL
@@ -10,12 +10,12 @@
 
 uniform sampler2D albedoTable;
 
-vec2 albedoInBlock(float block, float roughness, float cosV)
+vec3 albedoInBlock(float block, float roughness, float cosV)
 {
     vec2 size = vec2(textureSize(albedoTable, 0));
     vec2 st = vec2(roughness, sqrt(clamp(cosV, 0.0, 1.0))) * (size.y - 1.0) + 0.5;
     st.x += size.y * block;
-    return textureLod(albedoTable, st / size, 0.0).rg;
+    return textureLod(albedoTable, st / size, 0.0).rgb;
 }
 
 vec2 lobeAlbedo(int brdf, float roughness, float cosV)
@@ -25,7 +25,7 @@ vec2 lobeAlbedo(int brdf, float roughness, float cosV)
 #endif
 #ifdef HAS_MICROFACETS
     if (isMicrofacets(brdf)) {
-        return albedoInBlock(float(albedoBlock(brdf)), roughness, cosV);
+        return vec2(albedoInBlock(float(albedoBlock(brdf)), roughness, cosV));
     }
 #endif
     return vec2(0.0);
@@ -37,6 +37,16 @@ Bsdf bsdfOf(int brdf, vec3 f0, float roughness, float cosV)
     return makeBsdf(brdf, f0, roughness, lobeAlbedo(brdf, roughness, cosV));
 }
 
+#ifdef HAS_EDGES
+// The same of a metal whose edges reflect less; 1 of what is none.
+Bsdf edgedBsdfOf(int brdf, vec3 f0, vec3 edge, float roughness, float cosV)
+{
+    Bsdf b = bsdfOf(brdf, f0, roughness, cosV);
+    if (min(edge.r, min(edge.g, edge.b)) >= 1.0) return b;
+    return withEdge(b, edge, albedoInBlock(float(albedoBlock(brdf)), roughness, cosV).b);
+}
+#endif
+
 #ifdef HAS_ANISOTROPY
 // The same of a brushed one, seen from v in its frame.
 Bsdf anisotropicBsdfOf(vec3 f0, float roughness, float anisotropy, vec3 v)
@@ -44,9 +54,9 @@ Bsdf anisotropicBsdfOf(vec3 f0, float roughness, float anisotropy, vec3 v)
     vec2 about = anisotropicRoughness(anisotropicAlpha(roughness * roughness, anisotropy), v);
     float block = about.y * float(ANISOTROPY_BLOCKS - 1);
     float below = min(floor(block), float(ANISOTROPY_BLOCKS - 2));
-    vec2 table = mix(albedoInBlock(float(ALBEDO_BLOCKS) + below, about.x, v.z),
+    vec3 table = mix(albedoInBlock(float(ALBEDO_BLOCKS) + below, about.x, v.z),
                      albedoInBlock(float(ALBEDO_BLOCKS) + below + 1.0, about.x, v.z), block - below);
-    Bsdf b = makeBsdf(BRDF_COOK_TORRANCE, f0, roughness, table);
+    Bsdf b = makeBsdf(BRDF_COOK_TORRANCE, f0, roughness, vec2(table));
     b.anisotropy = anisotropy;
     return b;
 }

@@ -4,7 +4,7 @@
 // what its four know; of each sun's disc eight points.
 #ifndef FORWARDLIGHT_GLSL
 #define FORWARDLIGHT_GLSL
-#pragma import_defines(HAS_COATS, HAS_ANISOTROPY, HAS_SPECULAR, HAS_SUNS, SUN_DIFFUSE, HAS_ATLAS, HAS_SUN_MAPS, HAS_BOUNCE, HAS_SCENE_LIGHTS)
+#pragma import_defines(HAS_COATS, HAS_ANISOTROPY, HAS_EDGES, HAS_SPECULAR, HAS_SUNS, SUN_DIFFUSE, HAS_ATLAS, HAS_SUN_MAPS, HAS_BOUNCE, HAS_SCENE_LIGHTS)
 
 #include "lib/frame.glsl"
 #include "lib/limits.glsl"
@@ -148,7 +148,12 @@ struct Layers {
 Layers layersOf(Surface s)
 {
     Layers layers;
-    layers.base = bsdfOf(s.brdf, s.f0, s.roughness, max(-dot(s.normal, s.ray), 1e-4));
+    float cosV = max(-dot(s.normal, s.ray), 1e-4);
+#ifdef HAS_EDGES
+    layers.base = edgedBsdfOf(s.brdf, s.f0, s.edge, s.roughness, cosV);
+#else
+    layers.base = bsdfOf(s.brdf, s.f0, s.roughness, cosV);
+#endif
 #ifdef HAS_ANISOTROPY
     if (s.anisotropy > 0.0) layers.base = anisotropicBsdfOf(s.f0, s.roughness, s.anisotropy, localView(s.ray, frameOf(s)));
 #endif

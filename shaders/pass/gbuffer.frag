@@ -28,6 +28,9 @@ void main()
     normal = vec4(0.5 * s.normal + 0.5, s.roughness);
     uint kind = packKind(s.brdf, 0u);
     specular.rgb = s.f0;
+#ifdef ENVLIGHT_EDGE
+    kind = packKind(s.brdf, packEdge(s.edge));
+#endif
 #ifdef ENVLIGHT_COAT
     albedo.rgb = s.baseColor;
     kind = packKind(BRDF_COATED, packCoat(s.coat));

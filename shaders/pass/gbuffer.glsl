@@ -2,7 +2,7 @@
 // Reading the G-buffer in a full-screen pass.
 #ifndef GBUFFER_GLSL
 #define GBUFFER_GLSL
-#pragma import_defines(HAS_COATS, HAS_ANISOTROPY)
+#pragma import_defines(HAS_COATS, HAS_ANISOTROPY, HAS_EDGES)
 
 #include "lib/anisotropy.glsl"
 #include "lib/brdfs.glsl"
@@ -102,7 +102,7 @@ vec3 pixelView(ivec2 p, mat3 eyeFromLocal)
     return normalize(v);
 }
 
-// Number of the BRDF, with the parameters of a coat or of anisotropy [packKind()].
+// Number of the BRDF, with the parameters of a coat, of anisotropy or of a metal's edge [packKind()].
 uint pixelKind(ivec2 p)
 {
     return uint(texelFetch(specularMap, p, 0).a * 65535.0 + 0.5);
@@ -138,6 +138,16 @@ Anisotropy pixelAnisotropy(ivec2 p)
 {
     uint kind = pixelKind(p);
     return unpackAnisotropy(kindBrdf(kind) == BRDF_ANISOTROPIC ? kindParameters(kind) : 0u);
+}
+#endif
+
+#ifdef HAS_EDGES
+// What is left of Schlick's reflectance towards grazing angles.
+vec3 pixelEdge(ivec2 p)
+{
+    uint kind = pixelKind(p);
+    int brdf = kindBrdf(kind);
+    return unpackEdge(brdf == BRDF_COOK_TORRANCE || brdf == BRDF_BECKMANN ? kindParameters(kind) : 0u);
 }
 #endif
 

@@ -14,6 +14,7 @@ struct Surface {
     vec3 normal;     // eye space, unit, against the ray
     float roughness; // of the lobe
     vec3 f0;         // colour of the lobe at normal incidence
+    vec3 edge;       // of a metal: what is left of Schlick's reflectance towards grazing angles
     int brdf;        // of lib/brdfs.glsl
     vec3 emission;   // radiance
     vec3 baseColor;  // of a coated surface, with its metalness
@@ -36,6 +37,7 @@ Surface blackSurface(vec3 position, vec3 ray, vec3 normal)
     s.normal = normal;
     s.roughness = 1.0;
     s.f0 = vec3(0.0);
+    s.edge = vec3(1.0);
     s.brdf = BRDF_LAMBERT;
     s.emission = vec3(0.0);
     s.baseColor = vec3(0.0);

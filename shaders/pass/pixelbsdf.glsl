@@ -46,7 +46,11 @@ Bsdf pixelBsdf(ivec2 p, vec3 v)
     float anisotropy = pixelAnisotropy(p).strength;
     if (anisotropy > 0.0) return anisotropicBsdfOf(pixelF0(p), roughness, anisotropy, v);
 #endif
+#ifdef HAS_EDGES
+    Bsdf b = edgedBsdfOf(pixelBrdf(p), pixelF0(p), pixelEdge(p), roughness, v.z);
+#else
     Bsdf b = bsdfOf(pixelBrdf(p), pixelF0(p), roughness, v.z);
+#endif
 #ifdef HAS_COATS
     if (isCoated(p)) b = belowCoat(b, pixelCoat(p).bsdf.reflected);
 #endif

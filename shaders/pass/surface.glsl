@@ -3,7 +3,7 @@
 // and of vertices, and of images without floats, are sRGB encoded; those of our Material are linear.
 #ifndef SURFACE_GLSL
 #define SURFACE_GLSL
-#pragma import_defines(HAS_SUN_MAPS, ENVLIGHT_COOK_TORRANCE, ENVLIGHT_LAMBERT, ENVLIGHT_PHONG, ENVLIGHT_STRAUSS, FACE_NORMAL, VERTEX_COLOR, UNLIT, NO_TEXTURE, LINEAR_TEXTURE, ALPHA_TEXTURE, TEXTURE_REPLACE, TEXTURE_DECAL, TEXTURE_BLEND, TEXTURE_ADD, PAINTED_REFLECTION, PHONG_MATERIAL, TWO_SIDED, ENVLIGHT_EMISSION, ENVLIGHT_DIELECTRIC, ENVLIGHT_COAT, ENVLIGHT_ANISOTROPY, WHITE)
+#pragma import_defines(HAS_SUN_MAPS, ENVLIGHT_COOK_TORRANCE, ENVLIGHT_LAMBERT, ENVLIGHT_PHONG, ENVLIGHT_STRAUSS, FACE_NORMAL, VERTEX_COLOR, UNLIT, NO_TEXTURE, LINEAR_TEXTURE, ALPHA_TEXTURE, TEXTURE_REPLACE, TEXTURE_DECAL, TEXTURE_BLEND, TEXTURE_ADD, PAINTED_REFLECTION, PHONG_MATERIAL, TWO_SIDED, ENVLIGHT_EMISSION, ENVLIGHT_DIELECTRIC, ENVLIGHT_COAT, ENVLIGHT_ANISOTROPY, ENVLIGHT_EDGE, WHITE)
 
 #include "lib/brdfs.glsl"
 #include "lib/bulge.glsl"
@@ -32,6 +32,9 @@ uniform float envlightRoughness;
 #endif
 #ifdef ENVLIGHT_DIELECTRIC
 uniform vec3 envlightDielectric;  // reflectance of what is not metal, at normal incidence
+#endif
+#ifdef ENVLIGHT_EDGE
+uniform vec3 envlightEdge;
 #endif
 #ifdef ENVLIGHT_COAT
 uniform float envlightCoat;
@@ -213,6 +216,9 @@ Surface readSurface()
 #endif
     s.f0 = mix(dielectric, base.rgb, roughMetal.y);
     s.roughness = roughMetal.x;
+#ifdef ENVLIGHT_EDGE
+    s.edge = mix(vec3(1.0), envlightEdge, roughMetal.y);
+#endif
 #ifdef ENVLIGHT_ANISOTROPY
     vec4 anisotropy = surfaceAnisotropy(s.normal, eyePosition);
     s.anisotropy = anisotropy.w;

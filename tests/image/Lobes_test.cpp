@@ -173,6 +173,18 @@ TEST(Lobes, OfBrushedMetal)
                 }
 }
 
+// Metals whose edges are not Schlick's: chromium, with both distributions.
+TEST(Lobes, OfConductors)
+{
+    for (const float roughness : {0.1f, 0.4f})
+        for (const Material::Distribution normals : {Material::GGX_NORMALS, Material::BECKMANN_NORMALS}) {
+            const osg::ref_ptr<LitScene> lit = specularOf("studio");
+            Material::setConductor(*lit->getChild(0)->getOrCreateStateSet(), osg::Vec3f(3.1f, 3.2f, 2.2f),
+                                   osg::Vec3f(3.3f, 3.3f, 3.0f), roughness, normals);
+            EXPECT_LT(errorOf(*lit, 0), 0.01) << roughness << " " << normals;
+        }
+}
+
 // What is not in view is not compiled.
 TEST(Lobes, ASceneCompilesItsOwn)
 {
@@ -183,4 +195,8 @@ TEST(Lobes, ASceneCompilesItsOwn)
         EXPECT_EQ(lit->plan().surfaces.lobes, 1u << brdf);
         EXPECT_EQ(lit->plan().surfaces.forwardLobes, 0u);
     }
+    const osg::ref_ptr<LitScene> metal = specularOf("studio");
+    Material::setConductor(*metal->getChild(0)->getOrCreateStateSet(), osg::Vec3f(3, 3, 3), osg::Vec3f(3, 3, 3), 0.4f);
+    renderer.render(metal.get(), 2);
+    EXPECT_EQ(metal->plan().surfaces.lobes, 1u << Material::COOK_TORRANCE | osgEnvLight::SurfaceKinds::EDGES);
 }

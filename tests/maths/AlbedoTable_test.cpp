@@ -31,6 +31,25 @@ vec2 byQuadrature(int brdf, double roughness, double cosV)
     return vec2(share(false), share(true));
 }
 
+// Of what edges of metals take.
+double edgesByQuadrature(int brdf, double roughness, double cosV)
+{
+    const glsl::Bsdf b = glsl::makeBsdf(brdf, vec3(0), roughness, vec2(1, 0));
+    const vec3 v(std::sqrt(1.0 - cosV * cosV), 0.0, cosV);
+    return integrateBand(
+        [&](const vec3& l) {
+            const vec3 h = glsl::normalize(v + l);
+            const double c = glsl::dot(v, h);
+            return glsl::bsdfMicrofacets(b, v, l, h) * l.z * c * std::pow(1.0 - c, 6.0);
+        },
+        0.0, 1.0, 400, 400);
+}
+
+float edgeTexel(unsigned x, unsigned y)
+{
+    return reinterpret_cast<const float*>(osgEnvLight::albedoTableImage()->data(x, y))[2];
+}
+
 vec2 texel(unsigned x, unsigned y)
 {
     const float* t = reinterpret_cast<const float*>(osgEnvLight::albedoTableImage()->data(x, y));
@@ -65,6 +84,9 @@ TEST(AlbedoTable, AgainstQuadrature)
                 const vec2 exact = byQuadrature(distributions[block], x / 31.0, rootMu * rootMu);
                 EXPECT_NEAR(texel(32 * block + x, y).x, exact.x, 1e-3) << block << " " << x << " " << y;
                 EXPECT_NEAR(texel(32 * block + x, y).y, exact.y, 1e-3) << block << " " << x << " " << y;
+                EXPECT_NEAR(edgeTexel(32 * block + x, y), edgesByQuadrature(distributions[block], x / 31.0, rootMu * rootMu),
+                            1e-3)
+                    << block << " " << x << " " << y;
             }
 }
 

@@ -57,6 +57,30 @@ TEST(bsdf, WhiteLobesOfMicrofacetsLoseNothing)
             }
 }
 
+// The albedo loses what edges lose, by the third number of the table.
+TEST(bsdf, EdgesOfMetalsAreInTheAlbedo)
+{
+    const vec3 f(0.55), edge(0.75, 0.5, 1.0);
+    for (const double roughness : {0.4, 0.7})
+        for (const double degrees : {0.0, 70.0}) {
+            const double alpha = roughness * roughness, t = degrees * pi / 180.0;
+            const vec3 v(std::sin(t), 0.0, std::cos(t));
+            const auto mean = [&](const Integrand& g) { return integrateBand(g, 0.0, 1.0, 400, 800); };
+            const Bsdf plain =
+                glsl::makeBsdf(BRDF_COOK_TORRANCE, f, roughness, microfacetAlbedo(BRDF_COOK_TORRANCE, v, roughness, mean));
+            const double table = mean([&](const vec3& l) {
+                return glsl::ggxBrdf(v, l, alpha) * l.z * glsl::edgeShare(glsl::dot(v, glsl::normalize(v + l)));
+            });
+            const Bsdf b = glsl::withEdge(plain, edge, table);
+            for (int k = 0; k < 3; ++k) {
+                EXPECT_NEAR(b.reflected[k], mean([&](const vec3& l) { return glsl::bsdfLobe(b, v, l)[k] * l.z; }), 1e-6);
+                EXPECT_NEAR(1.0 - b.reflected[k], b.body[k], 1e-12);
+            }
+            EXPECT_LT(b.reflected.y, b.reflected.x);
+            EXPECT_EQ(b.reflected.z, plain.reflected.z);
+        }
+}
+
 TEST(bsdf, AWhiteMetalLeavesNothingToItsBody)
 {
     for (const double roughness : {0.1, 0.5, 1.0}) {

@@ -132,6 +132,7 @@ void PassBuilder::defineKinds(unsigned lobes)
 {
     define("HAS_COATS", (lobes & SurfaceKinds::COATS) != 0);
     define("HAS_ANISOTROPY", (lobes & SurfaceKinds::ANISOTROPY) != 0);
+    define("HAS_EDGES", (lobes & SurfaceKinds::EDGES) != 0);
 }
 
 }  // namespace osgEnvLight

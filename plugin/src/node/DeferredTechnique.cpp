@@ -335,7 +335,7 @@ osg::Texture* DeferredTechnique::albedoTable(bool anisotropic)
     if (!table) {
         table = new osg::Texture2D(albedoTableImage(anisotropic));
         table->setResizeNonPowerOfTwoHint(false);
-        table->setInternalFormat(GL_RG32F);
+        table->setInternalFormat(GL_RGB32F_ARB);
         table->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR);
         table->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
         table->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);

@@ -61,7 +61,7 @@ MaterialDescription readMaterial(const Value& v, const std::string& name)
         m.brdf = brdf == "phong" ? Material::PHONG : Material::BLINN_PHONG;
     } else if (brdf == "cook-torrance") {
         v.object({"brdf", "baseColor", "metalness", "roughness", "normals", "ior", "coat", "coatRoughness", "anisotropy",
-                  "anisotropyRotation"},
+                  "anisotropyRotation", "eta", "kappa"},
                  "a material");
         m.brdf = Material::COOK_TORRANCE;
     } else if (brdf == "strauss") {
@@ -89,6 +89,13 @@ MaterialDescription readMaterial(const Value& v, const std::string& name)
         m.anisotropyRotation = float(v["anisotropyRotation"].number(-1e6, 1e6, "an angle in degrees"));
     if (m.anisotropy > 0.0f && (m.brdf != Material::COOK_TORRANCE || m.coat > 0.0f))
         v["anisotropy"].fail("anisotropy only on a surface without a coat whose normals are \"ggx\"");
+    if (v.has("eta") != v.has("kappa")) v.fail("eta with kappa: the index of refraction of a metal");
+    if (v.has("eta")) {
+        if (v.has("baseColor") || v.has("metalness")) v["eta"].fail("eta and kappa, or baseColor and metalness");
+        if (m.coat > 0.0f || m.anisotropy > 0.0f) v["eta"].fail("eta and kappa only on a surface without a coat and anisotropy");
+        m.eta = osg::Vec3f(v["eta"].vector(0.01, 100, "three numbers in 0.01..100"));
+        m.kappa = osg::Vec3f(v["kappa"].vector(0, 100, "three numbers in 0..100"));
+    }
     if (m.coat > 0.0f && m.brdf != Material::COOK_TORRANCE) v["coat"].fail("a coat only on a surface whose normals are \"ggx\"");
     if (v.has("roughness")) m.roughness = float(v["roughness"].number(0, 1, "a number in 0..1"));
     for (int i = 0; i < 3; ++i)
@@ -222,15 +229,22 @@ class MaterialVisitor : public osg::NodeVisitor
         return best;
     }
 
+    static void setMicrofacets(osg::StateSet& s, const MaterialDescription& m)
+    {
+        const auto normals = m.brdf == Material::BECKMANN ? Material::BECKMANN_NORMALS : Material::GGX_NORMALS;
+        if (m.eta.x() > 0.0f)
+            Material::setConductor(s, m.eta, m.kappa, m.roughness, normals);
+        else
+            Material::setCookTorrance(s, m.baseColor, m.metalness, m.roughness, normals);
+    }
+
     void set(osg::StateSet& s, size_t i)
     {
         const MaterialDescription& m = _materials[i];
         if (m.brdf == Material::LAMBERT) Material::setLambert(s, m.diffuse);
         if (m.brdf == Material::PHONG) Material::setPhong(s, m.diffuse, m.specular, m.exponent);
         if (m.brdf == Material::BLINN_PHONG) Material::setBlinnPhong(s, m.diffuse, m.specular, m.exponent);
-        if (m.brdf == Material::COOK_TORRANCE) Material::setCookTorrance(s, m.baseColor, m.metalness, m.roughness);
-        if (m.brdf == Material::BECKMANN)
-            Material::setCookTorrance(s, m.baseColor, m.metalness, m.roughness, Material::BECKMANN_NORMALS);
+        if (m.brdf == Material::COOK_TORRANCE || m.brdf == Material::BECKMANN) setMicrofacets(s, m);
         if (m.brdf == Material::STRAUSS) Material::setStrauss(s, m.baseColor, m.smoothness, m.metalness);
         // What the model's own material had goes.
         if (m.ior != 1.5f || s.getUniform(MaterialMaps::dielectric)) Material::setDielectric(s, m.ior);

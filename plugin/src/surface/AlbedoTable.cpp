@@ -30,24 +30,24 @@ double alphaOf(double roughness)
     return std::pow(std::max(roughness, 0.01), 2.0);
 }
 
-// Mean of GGX's visible normals' reflections, each weighed by what it returns, as scale and offset of F0.
+// Mean of GGX's visible normals' reflections, each weighed by what it returns, as scale and offset of F0, and of edgeShare().
 template <class Weight>
-glsl::vec2 meanReflection(const glsl::vec3& v, const glsl::vec2& alpha, glsl::uint count, const Weight& weight)
+glsl::vec3 meanReflection(const glsl::vec3& v, const glsl::vec2& alpha, glsl::uint count, const Weight& weight)
 {
-    glsl::vec2 sum(0.0);
+    glsl::vec3 sum(0.0);
     for (glsl::uint i = 0; i < count; ++i) {
         const glsl::vec3 h = glsl::ggxVisibleNormalSample(v, alpha, glsl::hammersley(i, count));
         const double c = glsl::dot(v, h);
         const glsl::vec3 l = 2.0 * c * h - v;
         if (l.z <= 0.0) continue;
         const double grazing = glsl::fresnelShare(c);
-        sum += weight(h, l) * glsl::vec2(1.0 - grazing, grazing);
+        sum += weight(h, l) * glsl::vec3(1.0 - grazing, grazing, glsl::edgeShare(c));
     }
     return sum / double(count);
 }
 
 // GGX's visible normals bound the weights of all distributions: 1024 points leave less than 1e-3.
-glsl::vec2 albedo(int brdf, double roughness, double cosV)
+glsl::vec3 albedo(int brdf, double roughness, double cosV)
 {
     const double alpha = alphaOf(roughness);
     const glsl::vec3 v = viewAt(cosV);
@@ -59,7 +59,7 @@ glsl::vec2 albedo(int brdf, double roughness, double cosV)
 }
 
 // Of GGX's normals with an alpha along the view and another across it; 256 points leave less than .5 %.
-glsl::vec2 anisotropicAlbedo(double along, double across, double cosV)
+glsl::vec3 anisotropicAlbedo(double along, double across, double cosV)
 {
     const glsl::vec2 alpha(alphaOf(along), alphaOf(across));
     const glsl::vec3 v = viewAt(cosV);
@@ -72,8 +72,8 @@ glsl::vec2 anisotropicAlbedo(double along, double across, double cosV)
 osg::ref_ptr<osg::Image> allocate(int blocks)
 {
     osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->allocateImage(blocks * tableSize, tableSize, 1, GL_RG, GL_FLOAT);
-    image->setInternalTextureFormat(GL_RG32F);
+    image->allocateImage(blocks * tableSize, tableSize, 1, GL_RGB, GL_FLOAT);
+    image->setInternalTextureFormat(GL_RGB32F_ARB);
     return image;
 }
 
@@ -84,10 +84,9 @@ void fill(osg::Image& image, int block, const Albedo& of)
     for (int y = 0; y < tableSize; ++y)
         for (int x = 0; x < tableSize; ++x) {
             const double rootMu = double(y) / (tableSize - 1);
-            const glsl::vec2 a = of(double(x) / (tableSize - 1), rootMu * rootMu);
+            const glsl::vec3 a = of(double(x) / (tableSize - 1), rootMu * rootMu);
             float* out = reinterpret_cast<float*>(image.data(unsigned(block * tableSize + x), unsigned(y)));
-            out[0] = float(a.x);
-            out[1] = float(a.y);
+            for (int i = 0; i < 3; ++i) out[i] = float(a[i]);
         }
 }
 

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "glsl.h"
+
 namespace osgEnvLight
 {
 
@@ -60,6 +62,22 @@ void Material::setCookTorrance(osg::StateSet& stateSet, const osg::Vec3f& baseCo
     setUniform(stateSet, "envlightBaseColor", baseColor);
     setUniform(stateSet, "envlightMetalness", metalness);
     setUniform(stateSet, "envlightRoughness", roughness);
+    stateSet.removeUniform(MaterialMaps::edge);
+}
+
+void Material::setConductor(osg::StateSet& stateSet, const osg::Vec3f& eta, const osg::Vec3f& kappa, float roughness,
+                            Distribution normals)
+{
+    osg::Vec3f f0, edge;
+    for (int i = 0; i < 3; ++i) {
+        const double n = double(eta.ptr()[i]), k = double(kappa.ptr()[i]);
+        const double facing = glsl::fresnelExact(1.0, n, k);
+        const double schlick = glsl::fresnelSchlick(glsl::vec3(facing), glsl::EDGE_COSINE).x;
+        f0[i] = float(facing);
+        edge[i] = float(std::min(glsl::fresnelExact(glsl::EDGE_COSINE, n, k) / schlick, 1.0));
+    }
+    setCookTorrance(stateSet, f0, 1.0f, roughness, normals);
+    setUniform(stateSet, MaterialMaps::edge, edge);
 }
 
 void Material::setStrauss(osg::StateSet& stateSet, const osg::Vec3f& color, float smoothness, float metalness)

@@ -163,6 +163,7 @@ class SurfaceSort
         if (state.litProgram()) return 1u << Material::COOK_TORRANCE;
         if (state.coated()) return 1u << Material::COOK_TORRANCE | SurfaceKinds::COATS;
         if (state.anisotropic()) return 1u << Material::COOK_TORRANCE | SurfaceKinds::ANISOTROPY;
+        if (state.edged()) return 1u << state.brdf() | SurfaceKinds::EDGES;
         if (state.brdf() >= 0) return state.brdf() == Material::LAMBERT ? 0u : 1u << state.brdf();
         if (state.paintedReflection()) return 1u << Material::COOK_TORRANCE;
         return state.phongMaterial() ? 1u << Material::BLINN_PHONG : 0u;
@@ -188,6 +189,7 @@ class SurfaceSort
             if (state.mapped(map)) bits |= uint64_t(S::NORMAL_MAP) << map;
         if (state.dielectric()) bits |= S::ENVLIGHT_DIELECTRIC;
         if (state.anisotropic()) bits |= S::ENVLIGHT_ANISOTROPY;
+        if (state.edged()) bits |= S::ENVLIGHT_EDGE;
         if (state.coated()) bits |= S::ENVLIGHT_COAT;
         if (state.brdf() >= 0 && state.emits()) bits |= S::ENVLIGHT_EMISSION;
         return {bits, stages};
@@ -255,16 +257,42 @@ bool SurfaceSorter::Variation::operator<(const Variation& other) const
 
 const osg::StateSet* SurfaceSorter::variant(const Variation& variation)
 {
-    static const char* const defines[] = {
-        "NO_TEXTURE",       "LINEAR_TEXTURE",     "TEXTURE_REPLACE",     "TEXTURE_DECAL",
-        "TEXTURE_BLEND",    "TEXTURE_ADD",        "ALPHA_TEXTURE",       "TEXGEN_OBJECT",
-        "TEXGEN_EYE",       "TEXGEN_PROJECTED",   "PAINTED_REFLECTION",  "UNLIT",
-        "VERTEX_COLOR",     "FACE_NORMAL",        "VERTEX_TANGENTS",     "PHONG_MATERIAL",
-        "TWO_SIDED",        "ENVLIGHT_LAMBERT",   "ENVLIGHT_PHONG",      "ENVLIGHT_COOK_TORRANCE",
-        "ENVLIGHT_STRAUSS", "ENVLIGHT_EMISSION",  "ENVLIGHT_DIELECTRIC", "ENVLIGHT_ANISOTROPY",
-        "ENVLIGHT_COAT",    "CLIP_PLANES",        "TEXTURE_STAGES",      "WHITE",
-        "NORMAL_MAP",       "METAL_ROUGH_MAP",    "EMISSION_MAP",        "ANISOTROPY_MAP",
-        "COAT_MAP",         "COAT_ROUGHNESS_MAP", "COAT_NORMAL_MAP"};
+    static const char* const defines[] = {"NO_TEXTURE",
+                                          "LINEAR_TEXTURE",
+                                          "TEXTURE_REPLACE",
+                                          "TEXTURE_DECAL",
+                                          "TEXTURE_BLEND",
+                                          "TEXTURE_ADD",
+                                          "ALPHA_TEXTURE",
+                                          "TEXGEN_OBJECT",
+                                          "TEXGEN_EYE",
+                                          "TEXGEN_PROJECTED",
+                                          "PAINTED_REFLECTION",
+                                          "UNLIT",
+                                          "VERTEX_COLOR",
+                                          "FACE_NORMAL",
+                                          "VERTEX_TANGENTS",
+                                          "PHONG_MATERIAL",
+                                          "TWO_SIDED",
+                                          "ENVLIGHT_LAMBERT",
+                                          "ENVLIGHT_PHONG",
+                                          "ENVLIGHT_COOK_TORRANCE",
+                                          "ENVLIGHT_STRAUSS",
+                                          "ENVLIGHT_EMISSION",
+                                          "ENVLIGHT_DIELECTRIC",
+                                          "ENVLIGHT_ANISOTROPY",
+                                          "ENVLIGHT_COAT",
+                                          "ENVLIGHT_EDGE",
+                                          "CLIP_PLANES",
+                                          "TEXTURE_STAGES",
+                                          "WHITE",
+                                          "NORMAL_MAP",
+                                          "METAL_ROUGH_MAP",
+                                          "EMISSION_MAP",
+                                          "ANISOTROPY_MAP",
+                                          "COAT_MAP",
+                                          "COAT_ROUGHNESS_MAP",
+                                          "COAT_NORMAL_MAP"};
     std::lock_guard<std::mutex> lock(_mutex);
     osg::ref_ptr<osg::StateSet>& stateSet = _variants[variation];
     if (!stateSet) {

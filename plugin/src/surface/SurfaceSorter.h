@@ -87,16 +87,17 @@ class OSGENVLIGHT_EXPORT SurfaceSorter : public osg::Referenced
         ENVLIGHT_DIELECTRIC = uint64_t(1) << 22,
         ENVLIGHT_ANISOTROPY = uint64_t(1) << 23,
         ENVLIGHT_COAT = uint64_t(1) << 24,
-        CLIP_PLANES = uint64_t(1) << 25,
-        TEXTURE_STAGES = uint64_t(1) << 26,
-        WHITE = uint64_t(1) << 27,
-        NORMAL_MAP = uint64_t(1) << 28,
-        METAL_ROUGH_MAP = uint64_t(1) << 29,
-        EMISSION_MAP = uint64_t(1) << 30,
-        ANISOTROPY_MAP = uint64_t(1) << 31,
-        COAT_MAP = uint64_t(1) << 32,
-        COAT_ROUGHNESS_MAP = uint64_t(1) << 33,
-        COAT_NORMAL_MAP = uint64_t(1) << 34
+        ENVLIGHT_EDGE = uint64_t(1) << 25,
+        CLIP_PLANES = uint64_t(1) << 26,
+        TEXTURE_STAGES = uint64_t(1) << 27,
+        WHITE = uint64_t(1) << 28,
+        NORMAL_MAP = uint64_t(1) << 29,
+        METAL_ROUGH_MAP = uint64_t(1) << 30,
+        EMISSION_MAP = uint64_t(1) << 31,
+        ANISOTROPY_MAP = uint64_t(1) << 32,
+        COAT_MAP = uint64_t(1) << 33,
+        COAT_ROUGHNESS_MAP = uint64_t(1) << 34,
+        COAT_NORMAL_MAP = uint64_t(1) << 35
     };
     struct Variation {
         uint64_t bits = 0;

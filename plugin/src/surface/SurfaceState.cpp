@@ -76,6 +76,7 @@ void SurfaceState::merge(const osg::StateSet& s)
 void SurfaceState::mergeMaps(const osg::StateSet& s)
 {
     _brdf = Material::brdfOf(s, _brdf);
+    if (Material::brdfOf(s, -1) >= 0) _edged = s.getUniform(MaterialMaps::edge) != nullptr;  // another BRDF has no such metal
     for (size_t i = 0; i < _mapUnits.size(); ++i)
         if (const osg::Uniform* unit = s.getUniform(MaterialMaps::samplers[i])) unit->get(_mapUnits[i]);
     if (s.getUniform(MaterialMaps::emission)) _emits = true;

@@ -84,6 +84,11 @@ class OSGENVLIGHT_EXPORT SurfaceState
     bool coated() const { return _coat > 0.0f && _brdf == Material::COOK_TORRANCE; }
     /** Its highlights are drawn out along a direction. */
     bool anisotropic() const { return _anisotropy > 0.0f && _brdf == Material::COOK_TORRANCE && !coated(); }
+    /** A Material says what its metal's edges reflect. */
+    bool edged() const
+    {
+        return _edged && (_brdf == Material::COOK_TORRANCE || _brdf == Material::BECKMANN) && !coated() && !anisotropic();
+    }
     /** A Material says what it emits. */
     bool emits() const { return _emits; }
     /** Planes of the host's cut it. */
@@ -159,6 +164,7 @@ class OSGENVLIGHT_EXPORT SurfaceState
     float _coat = 0.0f;              // its strength
     float _anisotropy = 0.0f;        // its strength
     bool _dielectric = false;
+    bool _edged = false;
     bool _emits = false;
     bool _ownVertexColors = false;  // a BRDF of ours takes them
 };
