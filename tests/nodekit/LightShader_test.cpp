@@ -145,5 +145,6 @@ TEST_F(LightShaders, AreKnownAgainFromAFile)
     const osg::ref_ptr<LitScene> lit = sceneWith(read);
     renderer.render(lit, 3);
     EXPECT_EQ(1u, lit->plan().surfaces.litForward);
-    EXPECT_FALSE(LightShader::isOne(*new osg::Shader(osg::Shader::FRAGMENT)));
+    const osg::ref_ptr<osg::Shader> other = new osg::Shader(osg::Shader::FRAGMENT);
+    EXPECT_FALSE(LightShader::isOne(*other));
 }
