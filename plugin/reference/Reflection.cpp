@@ -173,8 +173,9 @@ void Reflection::setLobes(const SurfaceMaterial& m)
                                  : microfacetAlbedo(_base.brdf, _base.roughness, c);
     glsl::Bsdf b = glsl::makeBsdf(_base.brdf, _base.f0, _base.roughness, glm::dvec2(table));
     if (m.edge != glm::dvec3(1.0)) {
-        b = glsl::withEdge(b, glsl::unpackEdge(glsl::packEdge(glm::mix(glm::dvec3(1.0), m.edge, m.metalness))), table.z);
-        _base.edgeLoss = b.edgeLoss;
+        const glm::dvec3 edge = glsl::unpackEdge(glsl::packEdge(glm::mix(glm::dvec3(1.0), m.edge, m.metalness)));
+        _base.edgeLoss = glsl::edgeLoss(_base.f0, edge);
+        b = glsl::withEdgeLoss(b, _base.edgeLoss, table.z);
     }
     if (m.coat > 0.0) {
         glsl::Coat coat;

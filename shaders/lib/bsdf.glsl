@@ -145,11 +145,11 @@ Bsdf makeBsdf(int brdf, vec3 f0, float roughness, vec2 table)
 }
 
 #ifdef HAS_EDGES
-// A metal that reflects less towards grazing angles. table: the mean of edgeShare() [pass/albedo.glsl].
-Bsdf withEdge(Bsdf b, vec3 edge, float table)
+// A metal that reflects less towards grazing angles. table: the mean of edgeShare() over the lobe [pass/albedo.glsl].
+Bsdf withEdgeLoss(Bsdf b, vec3 loss, float table)
 {
-    b.edgeLoss = edgeLoss(b.f0, edge);
-    b.reflected = max(b.reflected - b.edgeLoss * table * b.energy, vec3(0.0));
+    b.edgeLoss = loss;
+    b.reflected = max(b.reflected - loss * table * b.energy, vec3(0.0));
     b.body = max(1.0 - b.reflected, vec3(0.0));
     return b;
 }

@@ -26,8 +26,9 @@ vec3 fresnelSchlick(vec3 f0, float c)
     return f0 + (fresnelGrazing(f0) - f0) * fresnelShare(c);
 }
 
-// What metals reflect less than that: a share of it is lost at an angle of 82 degrees, and less of it about that [Hoffman 2019; Kutz, Hasan,
-// Edmondson 2021]. Beside fresnelExact() metals err by .03 at any angle, where Schlick's form errs by up to .2.
+// Metals reflect less towards grazing angles than Schlick's form says. The difference is greatest near 82 degrees, and known there; a
+// polynomial has it at other angles [Hoffman 2019; Kutz, Hasan, Edmondson 2021]. Beside fresnelExact() that errs by at most .03, where
+// Schlick's form errs by up to .2.
 const float EDGE_COSINE = 1.0 / 7.0;
 
 float edgeShare(float c)
@@ -37,13 +38,13 @@ float edgeShare(float c)
     return clamp(c, 0.0, 1.0) * x3 * x3;
 }
 
-// What is lost over edgeShare(). edge: what is left of Schlick's reflectance at EDGE_COSINE, in [0,1].
+// The factor of edgeShare() that Schlick's form is to be less by. edge: the metal's reflectance at EDGE_COSINE over Schlick's, in [0,1].
 vec3 edgeLoss(vec3 f0, vec3 edge)
 {
     return (1.0 - edge) * fresnelSchlick(f0, EDGE_COSINE) / edgeShare(EDGE_COSINE);
 }
 
-// Edges in 13 bits, in steps of 1/15; of none they are 0.
+// An edge in 13 bits, in steps of 1/15. The bits of what has none are 0.
 uint packEdge(vec3 edge)
 {
     uvec3 e = uvec3(clamp(edge, 0.0, 1.0) * 15.0 + 0.5);
@@ -55,8 +56,8 @@ vec3 unpackEdge(uint bits)
     return bits < 4096u ? vec3(1.0) : vec3(uvec3(bits >> 8, bits >> 4, bits) & 15u) / 15.0;
 }
 
-// Fresnel's equations for light without polarisation, of a smooth surface in air with the index of refraction eta + i kappa, at the cosine c
-// [Born, Wolf 1999, 14.2; pbrt-v4, 9.3.6]. kappa of a dielectric is 0.
+// Fresnel's equations: the share of unpolarised light that a smooth surface in air reflects at the cosine c. Its index of refraction is
+// eta + i kappa; kappa of a dielectric is 0 [Born, Wolf 1999, 14.2; pbrt-v4, 9.3.6].
 float fresnelExact(float c, float eta, float kappa)
 {
     float c2 = c * c;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A lobe's directional albedo for one bounce, as scale and offset of F0, and as what edges of metals take. A table over (roughness, sqrt cos) has that of microfacets, with
-// one block for each distribution. Where surfaces are brushed, further blocks have it for GGX by the roughness across the view, over
-// (roughness along the view, sqrt cos).
+// A lobe's directional albedo for one bounce, as scale and offset of F0. A table over (roughness, sqrt cos) has that of microfacets, with
+// one block for each distribution. Its third number is the factor of edgeLoss() [lib/fresnel.glsl]. Where surfaces are brushed, further
+// blocks have all three for GGX by the roughness across the view, over (roughness along the view, sqrt cos).
 #ifndef ALBEDO_GLSL
 #define ALBEDO_GLSL
 
@@ -38,12 +38,11 @@ Bsdf bsdfOf(int brdf, vec3 f0, float roughness, float cosV)
 }
 
 #ifdef HAS_EDGES
-// The same of a metal whose edges reflect less; 1 of what is none.
-Bsdf edgedBsdfOf(int brdf, vec3 f0, vec3 edge, float roughness, float cosV)
+// The Bsdf with the edge of its metal; an edge of 1 changes nothing.
+Bsdf withEdge(Bsdf b, vec3 edge, float cosV)
 {
-    Bsdf b = bsdfOf(brdf, f0, roughness, cosV);
     if (min(edge.r, min(edge.g, edge.b)) >= 1.0) return b;
-    return withEdge(b, edge, albedoInBlock(float(albedoBlock(brdf)), roughness, cosV).b);
+    return withEdgeLoss(b, edgeLoss(b.f0, edge), albedoInBlock(float(albedoBlock(b.brdf)), b.roughness, cosV).b);
 }
 #endif
 

@@ -149,10 +149,9 @@ Layers layersOf(Surface s)
 {
     Layers layers;
     float cosV = max(-dot(s.normal, s.ray), 1e-4);
-#ifdef HAS_EDGES
-    layers.base = edgedBsdfOf(s.brdf, s.f0, s.edge, s.roughness, cosV);
-#else
     layers.base = bsdfOf(s.brdf, s.f0, s.roughness, cosV);
+#ifdef HAS_EDGES
+    layers.base = withEdge(layers.base, s.edge, cosV);
 #endif
 #ifdef HAS_ANISOTROPY
     if (s.anisotropy > 0.0) layers.base = anisotropicBsdfOf(s.f0, s.roughness, s.anisotropy, localView(s.ray, frameOf(s)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The filter of S along one direction. It averages a whole number of 4x4 cells, and pixels whose lobes are alike. With PREFILTERED the map's
-// radiance has no noise, and stays as it is.
+// The filter of S along one direction. It averages a whole number of 4x4 cells, and pixels whose lobes are alike. With PREFILTERED it leaves
+// the map's radiance out, which has no noise.
 #ifndef LOBEFILTER_GLSL
 #define LOBEFILTER_GLSL
 #pragma import_defines(HAS_LOBE_LIGHTS, PREFILTERED)

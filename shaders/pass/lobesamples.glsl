@@ -72,7 +72,8 @@ vec3 mirroredAlbedo(Bsdf b, float cosV)
 #endif
 
 #ifdef PREFILTERED
-// Lobes without GGX's long tails are as narrow as a narrower one of GGX; those about the mirror direction turn half as much as normals.
+// GGX's lobes have long tails. One of another distribution is best looked up as one of GGX with this share of its alpha. A lobe about the
+// mirror direction is as wide as the lobe of normals with half of its alpha.
 const float TAILLESS = 0.6;
 
 // As of samples: radiance and weight.

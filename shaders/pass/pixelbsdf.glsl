@@ -46,10 +46,9 @@ Bsdf pixelBsdf(ivec2 p, vec3 v)
     float anisotropy = pixelAnisotropy(p).strength;
     if (anisotropy > 0.0) return anisotropicBsdfOf(pixelF0(p), roughness, anisotropy, v);
 #endif
-#ifdef HAS_EDGES
-    Bsdf b = edgedBsdfOf(pixelBrdf(p), pixelF0(p), pixelEdge(p), roughness, v.z);
-#else
     Bsdf b = bsdfOf(pixelBrdf(p), pixelF0(p), roughness, v.z);
+#ifdef HAS_EDGES
+    b = withEdge(b, pixelEdge(p), v.z);
 #endif
 #ifdef HAS_COATS
     if (isCoated(p)) b = belowCoat(b, pixelCoat(p).bsdf.reflected);

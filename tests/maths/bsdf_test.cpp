@@ -71,7 +71,7 @@ TEST(bsdf, EdgesOfMetalsAreInTheAlbedo)
             const double table = mean([&](const vec3& l) {
                 return glsl::ggxBrdf(v, l, alpha) * l.z * glsl::edgeShare(glsl::dot(v, glsl::normalize(v + l)));
             });
-            const Bsdf b = glsl::withEdge(plain, edge, table);
+            const Bsdf b = glsl::withEdgeLoss(plain, glsl::edgeLoss(f, edge), table);
             for (int k = 0; k < 3; ++k) {
                 EXPECT_NEAR(b.reflected[k], mean([&](const vec3& l) { return glsl::bsdfLobe(b, v, l)[k] * l.z; }), 1e-6);
                 EXPECT_NEAR(1.0 - b.reflected[k], b.body[k], 1e-12);

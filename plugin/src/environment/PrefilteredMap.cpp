@@ -17,12 +17,10 @@ namespace osgEnvLight
 namespace
 {
 
-// A direction of the lobe about +Z, its share of the whole, and the level of the pyramid whose texels are as wide as it stands
-// for.
 struct LobeSample {
-    osg::Vec3f direction;
-    float share;
-    unsigned level;
+    glsl::vec3 direction;  // in a lobe about +Z
+    float share;           // of the lobe
+    unsigned level;        // of the pyramid, with texels as wide as the share
 };
 
 // A level has a quarter of the texels of the one before: twice the samples for each.
@@ -44,7 +42,7 @@ std::vector<LobeSample> sampleLobe(double alpha, unsigned count, unsigned side, 
         const double share = glsl::ggxG2OverG1(1.0, d.z, alpha);
         const double texels = 4.0 * glsl::PI * count * glsl::ggxReflectionPdf(up, h, alpha);  // of that width on the sphere
         const double level = std::clamp(std::floor(std::log2(side / std::sqrt(texels))), 0.0, double(lastLevel));
-        samples.push_back({osg::Vec3f(float(d.x), float(d.y), float(d.z)), float(share), unsigned(level)});
+        samples.push_back({d, float(share), unsigned(level)});
         sum += share;
     }
     for (LobeSample& s : samples) s.share /= float(sum);
@@ -65,18 +63,11 @@ class Levels
     }
 
     /** Adds that share of what lies in the direction. */
-    void add(const osg::Vec3f& d, float share, unsigned level, osg::Vec3f& sum) const
+    void add(const glsl::vec3& d, float share, unsigned level, osg::Vec3f& sum) const
     {
-        // As octahedralFromDirection(), about the middle of the square.
-        const float norm = 0.5f / (std::abs(d.x()) + std::abs(d.y()) + std::abs(d.z()));
-        float x = d.x() * norm, y = d.y() * norm;
-        if (d.z() < 0.0f) {
-            const float folded = std::copysign(0.5f - std::abs(y), x);
-            y = std::copysign(0.5f - std::abs(x), y);
-            x = folded;
-        }
         const Level& l = _levels[level];
-        const float tx = (x + 0.5f) * l.side + 0.5f, ty = (y + 0.5f) * l.side + 0.5f;  // of the bordered square's texels
+        const glsl::vec2 st = glsl::octahedralFromDirection(d);
+        const float tx = float(st.x) * l.side + 0.5f, ty = float(st.y) * l.side + 0.5f;  // of the bordered square's texels
         const unsigned ix = unsigned(tx), iy = unsigned(ty);
         const float below = share * (1.0f - ty + float(iy));
         const float* row = l.texels + iy * _rowFloats + size_t(ix) * 3;
@@ -103,12 +94,8 @@ class Levels
 osg::Vec3f filtered(const Levels& levels, const std::vector<LobeSample>& lobe, const glsl::vec3& normal)
 {
     const glsl::mat3 frame = glsl::frameAround(normal);
-    const osg::Vec3f t(float(frame[0].x), float(frame[0].y), float(frame[0].z));
-    const osg::Vec3f b(float(frame[1].x), float(frame[1].y), float(frame[1].z));
-    const osg::Vec3f n(float(normal.x), float(normal.y), float(normal.z));
     osg::Vec3f sum;
-    for (const LobeSample& s : lobe)
-        levels.add(t * s.direction.x() + b * s.direction.y() + n * s.direction.z(), s.share, s.level, sum);
+    for (const LobeSample& s : lobe) levels.add(frame * s.direction, s.share, s.level, sum);
     return sum;
 }
 

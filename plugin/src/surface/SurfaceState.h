@@ -79,16 +79,13 @@ class OSGENVLIGHT_EXPORT SurfaceState
     /** It reads the texture of MaterialMaps::samplers[map]. */
     bool mapped(unsigned map) const;
     /** A Material says what reflectance it has where it is not metal. */
-    bool dielectric() const { return _dielectric && (_brdf == Material::COOK_TORRANCE || _brdf == Material::BECKMANN); }
+    bool dielectric() const { return _dielectric && cookTorrance(); }
     /** It has a clear coat. */
     bool coated() const { return _coat > 0.0f && _brdf == Material::COOK_TORRANCE; }
     /** Its highlights are drawn out along a direction. */
     bool anisotropic() const { return _anisotropy > 0.0f && _brdf == Material::COOK_TORRANCE && !coated(); }
     /** A Material says what its metal's edges reflect. */
-    bool edged() const
-    {
-        return _edged && (_brdf == Material::COOK_TORRANCE || _brdf == Material::BECKMANN) && !coated() && !anisotropic();
-    }
+    bool edged() const { return _edged && cookTorrance() && !coated() && !anisotropic(); }
     /** A Material says what it emits. */
     bool emits() const { return _emits; }
     /** Planes of the host's cut it. */
@@ -128,6 +125,7 @@ class OSGENVLIGHT_EXPORT SurfaceState
     void mergeAttribute(osg::StateAttribute::Type type, const osg::StateSet::RefAttributePair& pair);
     void mergeTextures(const osg::StateSet& stateSet);
     void mergeMaps(const osg::StateSet& stateSet);
+    bool cookTorrance() const { return _brdf == Material::COOK_TORRANCE || _brdf == Material::BECKMANN; }
     bool translucent(const osg::Geometry* geometry) const;
     TextureFacts factsOf(const osg::Texture& texture) const;
     bool tracksColors() const;
