@@ -79,7 +79,8 @@ void LightTransport::add(const Start& start, const Incident& in, double weight, 
     const double p = density(surface, in);
     if (!(p > 0.0)) return;
     const glm::dvec3 light = in.radiance * (weight * c / p);
-    const Arrivals::Light a{_lights ? glm::dvec3(0.0) : light * surface.diffuse(), light * surface.glossy(in.direction)};
+    const Arrivals::Light a{_lights ? glm::dvec3(0.0) : light * surface.diffuse(in.direction),
+                            light * surface.glossy(in.direction)};
     if (!isBlack(a.diffuse) || !isBlack(a.specular)) add(*start.hit, in.direction, a, arrivals);
 }
 
@@ -131,7 +132,7 @@ void LightTransport::addLights(const SurfaceHit& hit, const Reflection& surface,
     for (const DirectionalLight& light : *_lights) {
         const glm::dvec3 l(light.direction.x(), light.direction.y(), light.direction.z());
         const glm::dvec3 flux(light.flux.x(), light.flux.y(), light.flux.z());
-        const glm::dvec3 d = flux * surface.diffuse() * (weight * surface.cosine(l));
+        const glm::dvec3 d = flux * surface.diffuse(l) * (weight * surface.cosine(l));
         if (!isBlack(d)) add(hit, l, {d, glm::dvec3(0.0)}, arrivals);
     }
 }
@@ -199,7 +200,7 @@ bool LightTransport::continuePath(const Reflection& surface, RandomPoints& rando
     }
     const double c = surface.cosine(direction);
     if (!(p > 0.0) || c <= 0.0) return false;
-    weight = (surface.diffuse() + surface.glossy(direction)) * (c * lobes / p);
+    weight = (surface.diffuse(direction) + surface.glossy(direction)) * (c * lobes / p);
     return true;
 }
 

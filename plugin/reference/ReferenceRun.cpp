@@ -284,7 +284,7 @@ Picture Reference::integrand(int x, int y, int width, bool occluded) const
         for (int column = 0; column < picture.width; ++column) {
             const double theta = pi * (1.0 - (row + 0.5) / picture.height);
             const glm::dvec3 l = aboutPole(std::cos(theta), 0.5 - (column + 0.5) / picture.width);
-            glm::dvec3 f = _environment.from(l).radiance * (surface.diffuse() + surface.glossy(l)) * surface.cosine(l);
+            glm::dvec3 f = _environment.from(l).radiance * (surface.diffuse(l) + surface.glossy(l)) * surface.cosine(l);
             float through = 1.0f;
             const Ray shadow = RayScene::leave(hit, l);
             if (occluded && glm::dot(l, hit.facet) <= 0.0)

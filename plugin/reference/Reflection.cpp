@@ -96,6 +96,8 @@ Reflection::Reflection(const SurfaceHit& hit, const Ray& ray, const glm::dvec4& 
     if (m.unlit) return;
     _albedo = base;
     _base.brdf = m.brdf;
+    _diffuseRoughness = glsl::unpackDiffuseRoughness(glsl::packDiffuseRoughness(m.diffuseRoughness));
+    if (_diffuseRoughness > 0.0) setView(ray.direction);
     if (m.brdf != Material::LAMBERT) {
         if (m.anisotropy > 0.0) setBrushing(hit);
         setView(ray.direction);
@@ -214,6 +216,14 @@ glm::dvec3 Reflection::value(const Lobe& lobe, const glm::dvec3& toLight) const
 {
     if (!lobe.wide) return glm::dvec3(0.0);
     return glsl::bsdfLobe(bsdfOf(lobe), _view, toLight);
+}
+
+glm::dvec3 Reflection::diffuse(const glm::dvec3& l) const
+{
+    if (_diffuseRoughness <= 0.0) return _diffuse;
+    const glm::dvec3 toLight = local(l);
+    const glsl::RoughDiffuse layer = glsl::roughDiffuse(_diffuse * pi, _diffuseRoughness);
+    return glsl::roughDiffuseBrdf(layer, _view.z, std::max(toLight.z, 0.0), glm::dot(_view, toLight)) / pi;
 }
 
 glm::dvec3 Reflection::glossy(const glm::dvec3& l) const

@@ -15,12 +15,12 @@ class Reflection
      * @param colour      surfaceColor() there */
     Reflection(const SurfaceHit& hit, const Ray& ray, const glm::dvec4& color);
 
-    const glm::dvec3& albedo() const { return _albedo; }  // of the Lambert term, before the lobe's share is taken off
+    const glm::dvec3& albedo() const { return _albedo; }  // of the diffuse layer, before the lobe's share is taken off
     const glm::dvec3& emission() const { return _emission; }
     const glm::dvec3& normal() const { return _normal; }
 
     /** BRDF values per solid angle, for light from the unit direction l; 0 where it comes from behind the shading normal. */
-    glm::dvec3 diffuse() const { return _diffuse; }
+    glm::dvec3 diffuse(const glm::dvec3& l) const;
     glm::dvec3 glossy(const glm::dvec3& l) const;
     double cosine(const glm::dvec3& l) const { return glm::max(glm::dot(_normal, l), 0.0); }
 
@@ -73,7 +73,8 @@ class Reflection
     glm::dvec3 _diffuse{0, 0, 0};
     glm::dvec3 _emission{0, 0, 0};
     glm::dvec3 _mirrorWeight{0, 0, 0};
-    glm::dvec3 _body{1, 1, 1};  // share of light that the lobe leaves to the Lambert term
+    glm::dvec3 _body{1, 1, 1};  // share of light that the lobe leaves to the diffuse layer
+    double _diffuseRoughness = 0.0;
     Lobe _base;
     Lobe _coat;
     bool _mirror = false;

@@ -122,6 +122,7 @@ void SceneState::setOwnMaterial(SurfaceMaterial& m) const
         m.coatRoughness = double(uniform(MaterialMaps::coatRoughness, 0.0f));
     }
     if (edged()) m.edge = rgb(uniform(MaterialMaps::edge, osg::Vec3f(1, 1, 1)));
+    if (roughDiffuse()) m.diffuseRoughness = double(uniform(MaterialMaps::diffuseRoughness, 0.0f));
     if (anisotropic()) {
         m.anisotropy = double(uniform(MaterialMaps::anisotropy, 0.0f));
         const osg::Vec2f d = uniform(MaterialMaps::anisotropyDirection, osg::Vec2f(1, 0));

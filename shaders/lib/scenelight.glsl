@@ -27,7 +27,7 @@ float lightRoughness(float roughness)
     return max(roughness, 0.18);
 }
 
-// Radiance sent towards v from light of colour 1 in direction l.
+// Radiance sent towards v from light of colour 1 in direction l: by the diffuse layer, of pi times its BRDF, and by the lobe.
 vec3 lightLambert(vec3 albedo, vec3 l)
 {
     return albedo * max(l.z, 0.0);

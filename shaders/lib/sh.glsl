@@ -50,4 +50,17 @@ vec3 shIrradiance9(vec3 c[18], vec3 n)
     return max(sum, vec3(0.0));
 }
 
+// Radiance in bands 1 and 2 of the same c, in the unit direction d. That of band 1 is linear in d.
+vec3 shRadiance1(vec3 c[18], vec3 d)
+{
+    return 1.5 * (c[1] * shBasis18(1, d) + c[2] * shBasis18(2, d) + c[3] * shBasis18(3, d));
+}
+
+vec3 shRadiance2(vec3 c[18], vec3 d)
+{
+    vec3 sum = vec3(0.0);
+    for (int i = 4; i < 9; ++i) sum += c[i] * shBasis18(i, d);
+    return 4.0 * sum;
+}
+
 #endif

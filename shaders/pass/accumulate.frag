@@ -40,8 +40,13 @@ vec3 surface(ivec2 p)
     vec3 point = vec3(atlasFromEye * vec4(pixelEye(p), 1.0));
     vec3 normal = mat3(atlasFromEye) * n;
     Lobe lobe = lobeAt(p, n);
+#ifdef HAS_ROUGH_DIFFUSE
+    RoughDiffuse layer = pixelRoughDiffuse(p, pixelAlbedo(p) * lobe.bsdf.body);
+#else
+    vec3 rho = pixelAlbedo(p) * texelFetch(diffuseTermMap, p, 0).a;
+#endif
     bool isGlossy = lobe.bsdf.brdf != BRDF_LAMBERT && lobe.share > 0.0;
-    vec3 num = vec3(0.0);
+    vec3 num = vec3(0.0);  // from the diffuse layer
     vec3 den = vec3(0.0);
     vec3 kept = vec3(0.0);  // from the lobe
     int lights = textureSize(atlasLightMap, 0).x * LIGHT_GROUPS;
@@ -51,14 +56,18 @@ vec3 surface(ivec2 p)
         float c = dot(n, direction);
         if (c <= 0.0) continue;
         vec3 e = light.flux * c;
-        den += e;
+#ifdef HAS_ROUGH_DIFFUSE
+        vec3 d = e * pixelDiffuseBrdf(layer, p, n, direction);
+#else
+        vec3 d = e * rho;
+#endif
+        den += d;
         if (atlasSees(light, point, normal, c) > 0.5)
-            num += e;
+            num += d;
         else if (isGlossy)
             kept += e * bsdfLobe(lobe.bsdf, lobe.v, transpose(lobe.eyeFromLocal) * direction);
     }
-    vec3 rho = pixelAlbedo(p) * texelFetch(diffuseTermMap, p, 0).a * (INV_PI * radianceScale);
-    vec3 diffuse = rho * num + ambientVisibility(p) * (diffuseTerm(p) + sunDiffuse(p) - rho * den);
+    vec3 diffuse = (num - ambientVisibility(p) * den) * (INV_PI * radianceScale) + ambientVisibility(p) * (diffuseTerm(p) + sunDiffuse(p));
     vec3 specular = specularTerm(p) - lobe.share * kept * radianceScale;
     return emitted(p) + diffuse + specular + bounce(p);
 }

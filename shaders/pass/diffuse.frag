@@ -1,6 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// D: the diffuse term without occlusion, rho/pi times the integral of L cos [seed 000, eq. 3, second term].
+// D: the diffuse term without occlusion, rho/pi times the integral of L cos [seed 000, eq. 3, second term]. Its alpha is the share of the
+// albedo that diffuse light meets.
 // Radiance in units of the map's mean.
 #pragma import_defines(HAS_SUNS, HAS_SUN_SHADOWS)
 
@@ -20,6 +21,29 @@ layout(location = 2) out vec4 sunShaded;  // what is left of that
 #endif
 #endif
 
+// What the diffuse layer sends towards the eye of the sky; and of light that comes from one direction, over its irradiance over pi.
+#ifdef HAS_ROUGH_DIFFUSE
+vec3 ofSky(RoughDiffuse d, ivec2 p, vec3 mapNormal)
+{
+    return roughDiffuseOfSky(d, mapNormal, mapFromEye * -viewRay(inverseProjection, pixelNdc(p)), irradianceOverPi(mapNormal), shCoefficients);
+}
+
+vec3 ofDirection(RoughDiffuse d, ivec2 p, vec3 n, vec3 mapDirection)
+{
+    return pixelDiffuseBrdf(d, p, n, mapDirection * mapFromEye);
+}
+#else
+vec3 ofSky(vec3 rho, ivec2 p, vec3 mapNormal)
+{
+    return rho * irradianceOverPi(mapNormal);
+}
+
+vec3 ofDirection(vec3 rho, ivec2 p, vec3 n, vec3 mapDirection)
+{
+    return rho;
+}
+#endif
+
 void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
@@ -32,7 +56,7 @@ void main()
 #endif
     vec3 n = pixelNormal(p);
     vec3 rho = pixelAlbedo(p);
-    float share = 1.0;  // of the albedo that diffuse light meets
+    float share = 1.0;
 #if defined(HAS_COOK_TORRANCE) || defined(HAS_BECKMANN) || defined(HAS_STRAUSS) || defined(HAS_COATS)
     // What the lobe reflects never reaches the layer below.
     Bsdf b = pixelBsdf(p, lobeView(p, n));
@@ -41,12 +65,21 @@ void main()
 #endif
     if (max(rho.r, max(rho.g, rho.b)) <= 0.0) return;
     vec3 mapNormal = mapFromEye * n;
-    diffuse = vec4(rho * irradianceOverPi(mapNormal), share);
-#ifdef HAS_SUNS
-    SunIrradiance suns = sunIrradianceOverPi(mapNormal);
-    sunDiffuse = vec4(rho * suns.whole, 1.0);
-#ifdef HAS_SUN_SHADOWS
-    sunShaded = vec4(rho * suns.seen, 1.0);
+#ifdef HAS_ROUGH_DIFFUSE
+    RoughDiffuse layer = pixelRoughDiffuse(p, rho);
+    vec3 sent = roughDiffuseAlbedo(layer, max(dot(n, -viewRay(inverseProjection, pixelNdc(p))), 0.0));
+    share *= dot(sent, vec3(1.0)) / dot(rho, vec3(1.0));
+#else
+    vec3 layer = rho;
 #endif
+    diffuse = vec4(ofSky(layer, p, mapNormal), share);
+#ifdef HAS_SUNS
+    for (int i = 0; i < sunCount; ++i) {
+        vec3 sun = ofDirection(layer, p, n, sunDirection[i]) * sunIrradianceOverPi(i, mapNormal);
+        sunDiffuse.rgb += sun;
+#ifdef HAS_SUN_SHADOWS
+        sunShaded.rgb += sunVisibility(i) * sun;
+#endif
+    }
 #endif
 }

@@ -4,11 +4,12 @@
 // what its four know; of each sun's disc eight points.
 #ifndef FORWARDLIGHT_GLSL
 #define FORWARDLIGHT_GLSL
-#pragma import_defines(HAS_COATS, HAS_ANISOTROPY, HAS_EDGES, HAS_SPECULAR, HAS_SUNS, SUN_DIFFUSE, HAS_ATLAS, HAS_SUN_MAPS, HAS_BOUNCE, HAS_SCENE_LIGHTS)
+#pragma import_defines(HAS_COATS, HAS_ANISOTROPY, HAS_EDGES, HAS_ROUGH_DIFFUSE, HAS_SPECULAR, HAS_SUNS, SUN_DIFFUSE, HAS_ATLAS, HAS_SUN_MAPS, HAS_BOUNCE, HAS_SCENE_LIGHTS)
 
 #include "lib/frame.glsl"
 #include "lib/limits.glsl"
 #include "lib/octahedral.glsl"
+#include "lib/roughdiffuse.glsl"
 #include "lib/sequence.glsl"
 #include "lib/tone.glsl"
 #include "pass/albedo.glsl"
@@ -137,9 +138,14 @@ float sunShare(int sun, Surface s)
 }
 #endif
 
-// What a surface is made of, its coat and what is below. Without a coat that reflects nothing.
+// What a surface is made of, its coat and what is below.
 struct Layers {
     Bsdf base;
+#ifdef HAS_ROUGH_DIFFUSE
+    RoughDiffuse diffuse;
+#else
+    vec3 diffuse;  // albedo of what is below the lobes
+#endif
 #ifdef HAS_COATS
     Bsdf coat;
 #endif
@@ -161,12 +167,57 @@ Layers layersOf(Surface s)
     layers.coat = coatBsdf(s.coat, table);
     layers.base = belowCoat(layers.base, layers.coat.reflected);
 #endif
+#ifdef HAS_ROUGH_DIFFUSE
+    layers.diffuse = roughDiffuse(s.albedo * layers.base.body, s.diffuseRoughness);
+#else
+    layers.diffuse = s.albedo * layers.base.body;
+#endif
     return layers;
 }
 
+// What the diffuse layer sends to the eye of the sky; of light from everywhere, over its radiance; and of light from one direction in eye
+// space, over its irradiance over pi.
+#ifdef HAS_ROUGH_DIFFUSE
+float viewCosine(Surface s)
+{
+    return max(-dot(s.normal, s.ray), 0.0);
+}
+
+vec3 diffuseOfSky(Surface s, Layers layers)
+{
+    vec3 n = mapFromEyeForward * s.normal;
+    return roughDiffuseOfSky(layers.diffuse, n, mapFromEyeForward * -s.ray, irradianceOverPi(n), shCoefficients);
+}
+
+vec3 diffuseAlbedo(Surface s, Layers layers)
+{
+    return roughDiffuseAlbedo(layers.diffuse, viewCosine(s));
+}
+
+vec3 diffuseOfDirection(Surface s, Layers layers, vec3 l)
+{
+    return roughDiffuseBrdf(layers.diffuse, viewCosine(s), max(dot(s.normal, l), 0.0), -dot(s.ray, l));
+}
+#else
+vec3 diffuseOfSky(Surface s, Layers layers)
+{
+    return layers.diffuse * irradianceOverPi(mapFromEyeForward * s.normal);
+}
+
+vec3 diffuseAlbedo(Surface s, Layers layers)
+{
+    return layers.diffuse;
+}
+
+vec3 diffuseOfDirection(Surface s, Layers layers, vec3 l)
+{
+    return layers.diffuse;
+}
+#endif
+
 #ifdef HAS_SCENE_LIGHTS
-// What the surface's lobes send to the eye of the application's lights, and what its Lambert layer receives, over pi.
-void addSceneLights(Surface s, Layers layers, inout vec3 glint, inout vec3 received)
+// What the surface's lobes and its diffuse layer send to the eye of the application's lights.
+void addSceneLights(Surface s, Layers layers, inout vec3 glint, inout vec3 diffuse)
 {
     mat3 eyeFromLocal = frameOf(s);
     vec3 v = localView(s.ray, eyeFromLocal);
@@ -178,7 +229,7 @@ void addSceneLights(Surface s, Layers layers, inout vec3 glint, inout vec3 recei
         vec3 direction;
         vec3 light = sceneLightAt(i, s.position, direction);
         vec3 l = direction * eyeFromLocal;
-        received += light * lightLambert(vec3(1.0), l);
+        diffuse += light * lightLambert(diffuseOfDirection(s, layers, direction), l);
         glint += light * lightLobe(layers.base, v, l);
 #ifdef HAS_COATS
         glint += light * lightLobe(layers.coat, coatView, direction * eyeFromCoat);
@@ -205,7 +256,7 @@ vec4 forwardColor(Surface s)
     float alpha = s.alpha;
     vec3 mapNormal = mapFromEyeForward * s.normal;
     SkySeen seen = skySeen(s);
-    vec3 irradiance = irradianceOverPi(mapNormal) * seen.light;
+    vec3 diffuse = diffuseOfSky(s, layers) * seen.light;
     vec3 sunGlint = vec3(0.0);
 #ifdef HAS_SUNS
     mat3 mapFromLocal = mapFromEyeForward * frameOf(s);
@@ -221,7 +272,8 @@ vec4 forwardColor(Surface s)
     for (int i = 0; i < sunCount; ++i) {
         vec3 sun = sunShare(i, s) * sunRadiance[i];
 #ifdef SUN_DIFFUSE
-        irradiance += sun * discIrradianceOverPi(dot(mapNormal, sunDirection[i]), sunRadius[i]);
+        diffuse += sun * diffuseOfDirection(s, layers, sunDirection[i] * mapFromEyeForward) *
+                   discIrradianceOverPi(dot(mapNormal, sunDirection[i]), sunRadius[i]);
 #endif
 #ifdef HAS_SPECULAR
         sunGlint += sun * bsdfDisc(shiny, sunDirection[i] * mapFromLocal, local, sunRadius[i]);
@@ -231,10 +283,10 @@ vec4 forwardColor(Surface s)
 #endif
     }
 #endif
+    diffuse *= radianceScale;
     vec3 sceneGlint = vec3(0.0);
-    vec3 sceneReceived = vec3(0.0);
 #ifdef HAS_SCENE_LIGHTS
-    addSceneLights(s, layers, sceneGlint, sceneReceived);
+    addSceneLights(s, layers, sceneGlint, diffuse);
 #endif
     if (s.brdf != BRDF_LAMBERT) {
         vec3 glint = sceneGlint;
@@ -257,11 +309,10 @@ vec4 forwardColor(Surface s)
         alpha = mix(s.alpha, 1.0, clamp(strength, 0.0, 1.0));
         radiance += glint / max(alpha, 1e-3);
     }
-    vec3 received = irradiance * radianceScale + sceneReceived;
 #ifdef HAS_BOUNCE
-    received += (1.0 - seen.ambient) * meanRadiance(s.normal);
+    diffuse += diffuseAlbedo(s, layers) * (1.0 - seen.ambient) * meanRadiance(s.normal);
 #endif
-    radiance += s.albedo * received * b.body * (s.alpha / max(alpha, 1e-3));
+    radiance += diffuse * (s.alpha / max(alpha, 1e-3));
     return vec4(display(radiance, ivec2(gl_FragCoord.xy)), alpha);
 }
 

@@ -5,6 +5,7 @@
 #include "lib/anisotropy.glsl"
 #include "lib/frame.glsl"
 #include "lib/octahedral.glsl"
+#include "lib/roughdiffuse.glsl"
 #include "pass/surface.glsl"
 
 layout(location = 0) out vec4 albedo;
@@ -26,7 +27,7 @@ void main()
     Surface s = readSurface();
     albedo = vec4(s.albedo, s.alpha);
     normal = vec4(0.5 * s.normal + 0.5, s.roughness);
-    uint kind = packKind(s.brdf, 0u);
+    uint kind = packKind(s.brdf, packDiffuseRoughness(s.diffuseRoughness));
     specular.rgb = s.f0;
 #ifdef ENVLIGHT_EDGE
     kind = packKind(s.brdf, packEdge(s.edge));

@@ -2,7 +2,7 @@
 // Reading the G-buffer in a full-screen pass.
 #ifndef GBUFFER_GLSL
 #define GBUFFER_GLSL
-#pragma import_defines(HAS_COATS, HAS_ANISOTROPY, HAS_EDGES)
+#pragma import_defines(HAS_COATS, HAS_ANISOTROPY, HAS_EDGES, HAS_ROUGH_DIFFUSE)
 
 #include "lib/anisotropy.glsl"
 #include "lib/brdfs.glsl"
@@ -10,6 +10,7 @@
 #include "lib/frame.glsl"
 #include "lib/fresnel.glsl"
 #include "lib/octahedral.glsl"
+#include "lib/roughdiffuse.glsl"
 
 uniform sampler2D albedoMap;
 uniform sampler2D normalMap;
@@ -102,7 +103,7 @@ vec3 pixelView(ivec2 p, mat3 eyeFromLocal)
     return normalize(v);
 }
 
-// Number of the BRDF, with the parameters of a coat, of anisotropy or of a metal's edge [packKind()].
+// Number of the BRDF, with the parameters of a coat, of anisotropy, of a metal's edge or of the diffuse layer [packKind()].
 uint pixelKind(ivec2 p)
 {
     return uint(texelFetch(specularMap, p, 0).a * 65535.0 + 0.5);
@@ -148,6 +149,24 @@ vec3 pixelEdge(ivec2 p)
     uint kind = pixelKind(p);
     int brdf = kindBrdf(kind);
     return unpackEdge(brdf == BRDF_COOK_TORRANCE || brdf == BRDF_BECKMANN ? kindParameters(kind) : 0u);
+}
+#endif
+
+#ifdef HAS_ROUGH_DIFFUSE
+// The diffuse layer, which reflects that albedo.
+RoughDiffuse pixelRoughDiffuse(ivec2 p, vec3 albedo)
+{
+    uint kind = pixelKind(p);
+    int brdf = kindBrdf(kind);
+    bool other = brdf == BRDF_COATED || brdf == BRDF_ANISOTROPIC;
+    return roughDiffuse(albedo, other ? 0.0 : unpackDiffuseRoughness(kindParameters(kind)));
+}
+
+// Towards the eye, for light from the direction l in eye space: pi times the BRDF.
+vec3 pixelDiffuseBrdf(RoughDiffuse d, ivec2 p, vec3 n, vec3 l)
+{
+    vec3 v = -viewRay(inverseProjection, pixelNdc(p));
+    return roughDiffuseBrdf(d, max(dot(n, v), 0.0), max(dot(n, l), 0.0), dot(v, l));
 }
 #endif
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // What a surface receives of the map where nothing hides it, by what carries D: spherical harmonics of the map, or the irradiance of
 // its importance-sampled lights. In units of the map's mean radiance.
-#pragma import_defines(DIFFUSE_SH_9, DIFFUSE_SH_18, DIFFUSE_LIGHTS)
+#pragma import_defines(DIFFUSE_SH_9, DIFFUSE_SH_18, DIFFUSE_LIGHTS, HAS_ROUGH_DIFFUSE)
 
 #include "lib/octahedral.glsl"
 #include "lib/sh.glsl"
 
-#if defined(DIFFUSE_SH_9) || defined(DIFFUSE_SH_18)
+#if defined(DIFFUSE_SH_9) || defined(DIFFUSE_SH_18) || defined(HAS_ROUGH_DIFFUSE)
 uniform vec3 shCoefficients[18];
-#elif defined(DIFFUSE_LIGHTS)
+#endif
+#ifdef DIFFUSE_LIGHTS
 uniform sampler2D irradianceMap;  // over pi
 #endif
 

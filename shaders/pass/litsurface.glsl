@@ -7,7 +7,8 @@
 #include "lib/coat.glsl"
 
 struct Surface {
-    vec3 albedo;     // of the Lambert term
+    vec3 albedo;     // of the diffuse layer
+    float diffuseRoughness;
     float alpha;     // coverage
     vec3 position;   // eye space
     vec3 ray;        // eye space, unit, away from the eye
@@ -31,6 +32,7 @@ Surface blackSurface(vec3 position, vec3 ray, vec3 normal)
 {
     Surface s;
     s.albedo = vec3(0.0);
+    s.diffuseRoughness = 0.0;
     s.alpha = 1.0;
     s.position = position;
     s.ray = ray;

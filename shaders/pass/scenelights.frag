@@ -21,6 +21,9 @@ void main()
     vec3 v = pixelView(p, eyeFromLocal);
     vec3 albedo = pixelAlbedo(p);
     Bsdf b = pixelBsdf(p, v);
+#ifdef HAS_ROUGH_DIFFUSE
+    RoughDiffuse layer = pixelRoughDiffuse(p, albedo * b.body);
+#endif
 #ifdef HAS_COATS
     bool coated = isCoated(p);
     PixelCoat coat = pixelCoat(p);
@@ -29,7 +32,12 @@ void main()
         vec3 direction;
         vec3 light = sceneLightAt(i, eye, direction);
         vec3 l = transpose(eyeFromLocal) * direction;
-        added.rgb += light * (lightLambert(albedo * b.body, l) + lightLobe(b, v, l));
+#ifdef HAS_ROUGH_DIFFUSE
+        vec3 diffuse = roughDiffuseBrdf(layer, v.z, max(l.z, 0.0), dot(v, l));
+#else
+        vec3 diffuse = albedo * b.body;
+#endif
+        added.rgb += light * (lightLambert(diffuse, l) + lightLobe(b, v, l));
 #ifdef HAS_COATS
         if (coated) added.rgb += light * lightLobe(coat.bsdf, coat.view, transpose(coat.eyeFromLocal) * direction);
 #endif

@@ -33,22 +33,10 @@ float sunVisibility(int i)
 }
 #endif
 
-// Over pi, of all suns.
-struct SunIrradiance {
-    vec3 whole;
-    vec3 seen;  // what the scene leaves of it
-};
-
-// About the normal n, in the map's frame.
-SunIrradiance sunIrradianceOverPi(vec3 n)
+// Over pi, of sun i, about the normal n in the map's frame.
+vec3 sunIrradianceOverPi(int i, vec3 n)
 {
-    SunIrradiance sum = SunIrradiance(vec3(0.0), vec3(0.0));
-    for (int i = 0; i < sunCount; ++i) {
-        vec3 e = sunRadiance[i] * discIrradianceOverPi(dot(n, sunDirection[i]), sunRadius[i]);
-        sum.whole += e;
-        sum.seen += sunVisibility(i) * e;
-    }
-    return sum;
+    return sunRadiance[i] * discIrradianceOverPi(dot(n, sunDirection[i]), sunRadius[i]);
 }
 
 #endif

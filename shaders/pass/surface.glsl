@@ -3,7 +3,7 @@
 // and of vertices, and of images without floats, are sRGB encoded; those of our Material are linear.
 #ifndef SURFACE_GLSL
 #define SURFACE_GLSL
-#pragma import_defines(HAS_SUN_MAPS, ENVLIGHT_COOK_TORRANCE, ENVLIGHT_LAMBERT, ENVLIGHT_PHONG, ENVLIGHT_STRAUSS, FACE_NORMAL, VERTEX_COLOR, UNLIT, NO_TEXTURE, LINEAR_TEXTURE, ALPHA_TEXTURE, TEXTURE_REPLACE, TEXTURE_DECAL, TEXTURE_BLEND, TEXTURE_ADD, PAINTED_REFLECTION, PHONG_MATERIAL, TWO_SIDED, ENVLIGHT_EMISSION, ENVLIGHT_DIELECTRIC, ENVLIGHT_COAT, ENVLIGHT_ANISOTROPY, ENVLIGHT_EDGE, WHITE)
+#pragma import_defines(HAS_SUN_MAPS, ENVLIGHT_COOK_TORRANCE, ENVLIGHT_LAMBERT, ENVLIGHT_PHONG, ENVLIGHT_STRAUSS, FACE_NORMAL, VERTEX_COLOR, UNLIT, NO_TEXTURE, LINEAR_TEXTURE, ALPHA_TEXTURE, TEXTURE_REPLACE, TEXTURE_DECAL, TEXTURE_BLEND, TEXTURE_ADD, PAINTED_REFLECTION, PHONG_MATERIAL, TWO_SIDED, ENVLIGHT_EMISSION, ENVLIGHT_DIELECTRIC, ENVLIGHT_COAT, ENVLIGHT_ANISOTROPY, ENVLIGHT_EDGE, ENVLIGHT_ROUGH_DIFFUSE, WHITE)
 
 #include "lib/brdfs.glsl"
 #include "lib/bulge.glsl"
@@ -35,6 +35,9 @@ uniform vec3 envlightDielectric;  // reflectance of what is not metal, at normal
 #endif
 #ifdef ENVLIGHT_EDGE
 uniform vec3 envlightEdge;
+#endif
+#ifdef ENVLIGHT_ROUGH_DIFFUSE
+uniform float envlightDiffuseRoughness;
 #endif
 #ifdef ENVLIGHT_COAT
 uniform float envlightCoat;
@@ -201,6 +204,9 @@ Surface readSurface()
     vec4 base = surfaceColor(material);
     s.alpha = base.a;
     s.albedo = base.rgb;
+#ifdef ENVLIGHT_ROUGH_DIFFUSE
+    s.diffuseRoughness = envlightDiffuseRoughness;
+#endif
 #if defined(ENVLIGHT_COOK_TORRANCE)
     vec2 roughMetal = vec2(envlightRoughness, envlightMetalness);
 #ifdef METAL_ROUGH_MAP

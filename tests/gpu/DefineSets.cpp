@@ -53,8 +53,8 @@ void extend(const Defines& defines, size_t next, Defines& set, std::vector<Defin
 }
 
 // Lobes stand beside each other: a product has none or all of them; someSets() has each, and all pairs.
-const Defines lobes = {"HAS_PHONG",   "HAS_COOK_TORRANCE", "HAS_BLINN_PHONG", "HAS_BECKMANN",
-                       "HAS_STRAUSS", "HAS_ANISOTROPY",    "HAS_EDGES",       "HAS_COATS"};
+const Defines lobes = {"HAS_PHONG",      "HAS_COOK_TORRANCE", "HAS_BLINN_PHONG", "HAS_BECKMANN",     "HAS_STRAUSS",
+                       "HAS_ANISOTROPY", "HAS_EDGES",         "HAS_COATS",       "HAS_ROUGH_DIFFUSE"};
 
 std::vector<Defines> product(const Defines& defines)
 {

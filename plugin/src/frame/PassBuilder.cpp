@@ -133,6 +133,7 @@ void PassBuilder::defineKinds(unsigned lobes)
     define("HAS_COATS", (lobes & SurfaceKinds::COATS) != 0);
     define("HAS_ANISOTROPY", (lobes & SurfaceKinds::ANISOTROPY) != 0);
     define("HAS_EDGES", (lobes & SurfaceKinds::EDGES) != 0);
+    define("HAS_ROUGH_DIFFUSE", (lobes & SurfaceKinds::ROUGH_DIFFUSE) != 0);
 }
 
 }  // namespace osgEnvLight

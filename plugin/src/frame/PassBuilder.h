@@ -154,7 +154,7 @@ class OSGENVLIGHT_EXPORT PassBuilder
 
     /** albedoMap, normalMap, specularMap and depthMap of the G-buffer. */
     void readGBuffer();
-    /** Define which kinds of SurfaceKinds::lobes there are beside BRDFs: coats, brushed surfaces. */
+    /** Define which kinds of SurfaceKinds::lobes there are beside BRDFs. */
     void defineKinds(unsigned lobes);
     /** The state sets of the view's passes, for custom draws. */
     StateSets& states();

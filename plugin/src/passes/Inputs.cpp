@@ -36,14 +36,17 @@ void readLobes(PassBuilder& b, const FrameContext& c)
 
 void readIrradiance(PassBuilder& b, FrameContext& c)
 {
+    const DiffuseCarrier& carrier = c.facts.carrier;
+    const unsigned kinds = c.facts.surfaces.lobes | c.facts.surfaces.forwardLobes;
     if (!c.decisions.light.needed) return;
-    if (c.facts.carrier.lights) {
+    if (carrier.lights) {
         b.define("DIFFUSE_LIGHTS");
         b.bind(c.textures.irradiance(), "irradianceMap");
     } else {
-        b.define(c.facts.carrier.harmonics == 9 ? "DIFFUSE_SH_9" : "DIFFUSE_SH_18");
-        b.uniform(c.textures.harmonics());
+        b.define(carrier.harmonics == 9 ? "DIFFUSE_SH_9" : "DIFFUSE_SH_18");
     }
+    // Rough layers ask them about the map's differences between directions, too.
+    if (!carrier.lights || kinds & SurfaceKinds::ROUGH_DIFFUSE) b.uniform(c.textures.harmonics());
 }
 
 void readSuns(PassBuilder& b, FrameContext& c)

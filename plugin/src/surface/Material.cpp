@@ -27,7 +27,7 @@ void setUniform(osg::StateSet& stateSet, const char* name, const T& value)
 
 void setMap(osg::StateSet& stateSet, const std::string& name, osg::Texture2D* map, int set, unsigned unit)
 {
-    stateSet.setTextureAttribute(unit, map);
+    if (map) stateSet.setTextureAttribute(unit, map);
     setUniform(stateSet, name.c_str(), int(unit));
     setUniform(stateSet, (name + "TexCoord").c_str(), set);
     setUniform(stateSet, (name + "Transform").c_str(), osg::Matrix3(1, 0, 0, 0, 1, 0, 0, 0, 1));
@@ -108,7 +108,12 @@ void Material::setMetalRoughMap(osg::StateSet& stateSet, osg::Texture2D* map, in
 void Material::setEmission(osg::StateSet& stateSet, const osg::Vec3f& emission, osg::Texture2D* map, int set, unsigned unit)
 {
     setUniform(stateSet, MaterialMaps::emission, emission);
-    if (map) setMap(stateSet, MaterialMaps::emissionMap, map, set, unit);
+    if (map) setEmissionMap(stateSet, map, set, unit);
+}
+
+void Material::setEmissionMap(osg::StateSet& stateSet, osg::Texture2D* map, int set, unsigned unit)
+{
+    setMap(stateSet, MaterialMaps::emissionMap, map, set, unit);
 }
 
 void Material::setDielectric(osg::StateSet& stateSet, float ior, float strength, const osg::Vec3f& color)
@@ -117,6 +122,11 @@ void Material::setDielectric(osg::StateSet& stateSet, float ior, float strength,
     osg::Vec3f f0 = color * (r * r);
     for (int i = 0; i < 3; ++i) f0[i] = std::min(f0[i], 1.0f) * strength;
     setUniform(stateSet, MaterialMaps::dielectric, f0);
+}
+
+void Material::setDiffuseRoughness(osg::StateSet& stateSet, float roughness)
+{
+    setUniform(stateSet, MaterialMaps::diffuseRoughness, roughness);
 }
 
 void Material::setCoat(osg::StateSet& stateSet, float strength, float roughness)

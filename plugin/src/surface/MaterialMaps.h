@@ -29,6 +29,7 @@ struct MaterialMaps {
     static constexpr const char* emission = "envlightEmission";  // linear
     static constexpr const char* dielectric = "envlightDielectric";
     static constexpr const char* edge = "envlightEdge";  // of metal: the argument of edgeLoss()
+    static constexpr const char* diffuseRoughness = "envlightDiffuseRoughness";
     static constexpr const char* coat = "envlightCoat";
     static constexpr const char* coatRoughness = "envlightCoatRoughness";
     static constexpr const char* anisotropy = "envlightAnisotropy";

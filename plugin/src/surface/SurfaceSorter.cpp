@@ -157,7 +157,13 @@ class SurfaceSort
         }
     }
 
-    // The bits of the lobes of a surface, none if it has none.
+    // The bits of the lobes of a surface, and of its diffuse layer.
+    static unsigned kindBits(const SurfaceState& state)
+    {
+        return lobeBits(state) | (state.roughDiffuse() ? SurfaceKinds::ROUGH_DIFFUSE : 0u);
+    }
+
+    // None if it has none.
     static unsigned lobeBits(const SurfaceState& state)
     {
         if (state.litProgram()) return 1u << Material::COOK_TORRANCE;
@@ -190,6 +196,7 @@ class SurfaceSort
         if (state.dielectric()) bits |= S::ENVLIGHT_DIELECTRIC;
         if (state.anisotropic()) bits |= S::ENVLIGHT_ANISOTROPY;
         if (state.edged()) bits |= S::ENVLIGHT_EDGE;
+        if (state.roughDiffuse()) bits |= S::ENVLIGHT_ROUGH_DIFFUSE;
         if (state.coated()) bits |= S::ENVLIGHT_COAT;
         if (state.brdf() >= 0 && state.emits()) bits |= S::ENVLIGHT_EMISSION;
         return {bits, stages};
@@ -207,7 +214,7 @@ class SurfaceSort
         if (!foreign && !blends && !state.drawnForward(geometry)) return keep(leaf, sg, state, variation, kept);
         const char* unsupported = foreign ? nullptr : state.unsupported(geometry);
         const bool lit = !foreign && !unsupported && state.litForward();
-        if (lit) kinds.forwardLobes |= lobeBits(state);
+        if (lit) kinds.forwardLobes |= kindBits(state);
         moveForward(leaf, sg, variation, lit, to);
         if (unsupported) _sorter.say(unsupported, "drawn as without the node, not lit by the environment", leaf._drawable);
     }
@@ -216,7 +223,7 @@ class SurfaceSort
     void keep(osgUtil::RenderLeaf& leaf, osgUtil::StateGraph* sg, const SurfaceState& state,
               const SurfaceSorter::Variation& variation, osgUtil::RenderBin::StateGraphList& kept)
     {
-        kinds.lobes |= lobeBits(state);
+        kinds.lobes |= kindBits(state);
         ++kinds.deferred;
         osgUtil::StateGraph* n = sg->find_or_insert(_sorter.variant(variation));
         if (n->leaves_empty()) kept.push_back(n);
@@ -283,6 +290,7 @@ const osg::StateSet* SurfaceSorter::variant(const Variation& variation)
                                           "ENVLIGHT_ANISOTROPY",
                                           "ENVLIGHT_COAT",
                                           "ENVLIGHT_EDGE",
+                                          "ENVLIGHT_ROUGH_DIFFUSE",
                                           "CLIP_PLANES",
                                           "TEXTURE_STAGES",
                                           "WHITE",

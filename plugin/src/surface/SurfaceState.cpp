@@ -81,6 +81,7 @@ void SurfaceState::mergeMaps(const osg::StateSet& s)
         if (const osg::Uniform* unit = s.getUniform(MaterialMaps::samplers[i])) unit->get(_mapUnits[i]);
     if (s.getUniform(MaterialMaps::emission)) _emits = true;
     if (s.getUniform(MaterialMaps::dielectric)) _dielectric = true;
+    if (const osg::Uniform* roughness = s.getUniform(MaterialMaps::diffuseRoughness)) roughness->get(_diffuseRoughness);
     if (const osg::Uniform* coat = s.getUniform(MaterialMaps::coat)) coat->get(_coat);
     if (const osg::Uniform* anisotropy = s.getUniform(MaterialMaps::anisotropy)) anisotropy->get(_anisotropy);
     if (const osg::Uniform* colors = s.getUniform(MaterialMaps::vertexColors)) colors->get(_ownVertexColors);

@@ -86,6 +86,11 @@ class OSGENVLIGHT_EXPORT SurfaceState
     bool anisotropic() const { return _anisotropy > 0.0f && _brdf == Material::COOK_TORRANCE && !coated(); }
     /** A Material says what its metal's edges reflect. */
     bool edged() const { return _edged && cookTorrance() && !coated() && !anisotropic(); }
+    /** Its diffuse layer is not Lambert's. */
+    bool roughDiffuse() const
+    {
+        return _diffuseRoughness > 0.0f && _brdf >= 0 && !coated() && !anisotropic() && !edged();
+    }
     /** A Material says what it emits. */
     bool emits() const { return _emits; }
     /** Planes of the host's cut it. */
@@ -163,6 +168,7 @@ class OSGENVLIGHT_EXPORT SurfaceState
     float _anisotropy = 0.0f;        // its strength
     bool _dielectric = false;
     bool _edged = false;
+    float _diffuseRoughness = 0.0f;
     bool _emits = false;
     bool _ownVertexColors = false;  // a BRDF of ours takes them
 };
