@@ -105,6 +105,25 @@ TEST_F(MaterialMaps, NormalsLeanAlongTheCoordinates)
     }
 }
 
+// A reader left its maps on units of the drawable, where fixed function would multiply them; the material above names the units.
+TEST_F(MaterialMaps, AReadersMapsByTheirUnits)
+{
+    osg::ref_ptr<osg::Geode> geode = card(x, z);
+    osg::StateSet& readers = *geode->getDrawable(0)->getOrCreateStateSet();
+    readers.setTextureAttributeAndModes(1, evenTexture(osg::Vec3d(0.75, 0.5, 0.5 + 0.5 * std::sqrt(0.75))));
+    readers.setTextureAttributeAndModes(3, evenTexture(osg::Vec3d(0.1, 0.5, 0.0)));
+    readers.setTextureAttributeAndModes(5, evenTexture(osg::Vec3d(0.2, 0.4, 0.8)));
+    expectNear(osg::Vec3d(0, -1, 0), normalOf(geode), "without their names");
+    Material::setNormalMap(*geode->getStateSet(), nullptr, 1.0f, false, 0, 1);
+    expectNear(x * 0.5 - osg::Vec3d(0, std::sqrt(0.75), 0), normalOf(geode), "normals");
+    expectNear(osg::Vec3d(0, 0, 0), middle(geode, Settings::ALBEDO), "metal");
+    Material::setMetalRoughMap(*geode->getStateSet(), nullptr, 0, 3);
+    expectNear(osg::Vec3d(1, 1, 1), middle(geode, Settings::ALBEDO), "no metal");
+    Material::setEmission(*geode->getStateSet(), osg::Vec3f(1, 1, 1));
+    Material::setEmissionMap(*geode->getStateSet(), nullptr, 0, 5);
+    EXPECT_GT(middle(geode, Settings::EMISSION)[2], middle(geode, Settings::EMISSION)[0]);
+}
+
 // Without coordinates there are no tangents: the surface keeps its normal.
 TEST_F(MaterialMaps, NormalsStayWhereThereAreNoCoordinates)
 {

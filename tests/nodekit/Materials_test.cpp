@@ -247,6 +247,65 @@ TEST_F(Materials, AConductorReflectsByItsIndexOfRefraction)
                 reflectedAslant(replaced, 80.0, false), 0.005);
 }
 
+// Under an even sky white sends all on, whatever its roughness and wherever it is drawn; grey less than Lambert's, as further
+// bounces between facets meet it again.
+TEST_F(Materials, ARoughDiffuseLayerKeepsWhatItGets)
+{
+    const auto of = [](float albedo, float roughness, double degrees, bool forward) {
+        return reflectedAslant(
+            [&](osg::StateSet& s) {
+                Material::setLambert(s, osg::Vec3f(albedo, albedo, albedo));
+                Material::setDiffuseRoughness(s, roughness);
+            },
+            degrees, forward);
+    };
+    for (const bool forward : {false, true})
+        for (const double degrees : {20.0, 60.0, 85.0}) {
+            EXPECT_NEAR(1.0, of(1.0f, 1.0f, degrees, forward), 0.003) << degrees << " " << forward;
+            const glsl::RoughDiffuse grey = glsl::roughDiffuse(glsl::vec3(0.4), 0.5);
+            EXPECT_NEAR(glsl::roughDiffuseAlbedo(grey, std::cos(osg::DegreesToRadians(degrees))).x,
+                        of(0.4f, 0.5f, degrees, forward), 0.002)
+                << degrees << " " << forward;
+        }
+    EXPECT_NEAR(0.4, of(0.4f, 0.0f, 60.0, false), 0.001);
+}
+
+TEST_F(Materials, RoughDiffuseLayersOfASceneDescription)
+{
+    const osg::ref_ptr<LitScene> lit = build({"a"}, R"({"a": {"brdf": "lambert", "diffuseRoughness": 0.7}})");
+    ASSERT_TRUE(lit) << error;
+    float roughness = 0.0f;
+    stateSet(*lit, 0).getUniform("envlightDiffuseRoughness")->get(roughness);
+    EXPECT_FLOAT_EQ(0.7f, roughness);
+    EXPECT_FALSE(build({"a"}, R"({"a": {"brdf": "lambert", "diffuseRoughness": 2}})"));
+    EXPECT_NE(std::string::npos, error.find("0..1")) << error;
+    EXPECT_FALSE(build({"a"}, R"({"a": {"brdf": "cook-torrance", "diffuseRoughness": 0.5, "coat": 1}})"));
+    EXPECT_NE(std::string::npos, error.find("without a coat")) << error;
+}
+
+TEST_F(Materials, UnitsOfMapsInASceneDescription)
+{
+    const osg::ref_ptr<LitScene> lit = build(
+        {"a"}, R"({"a": {"brdf": "cook-torrance", "normalMap": 1, "metalRoughMap": 3, "emissionMap": 5, "topIsZero": true}})");
+    ASSERT_TRUE(lit) << error;
+    const std::pair<const char*, int> units[] = {
+        {"envlightNormalMap", 1}, {"envlightMetalRoughMap", 3}, {"envlightEmissionMap", 5}};
+    for (const auto& [name, expected] : units) {
+        int unit = 0;
+        ASSERT_TRUE(stateSet(*lit, 0).getUniform(name)) << name;
+        stateSet(*lit, 0).getUniform(name)->get(unit);
+        EXPECT_EQ(expected, unit) << name;
+    }
+    EXPECT_EQ(-1.0f, number(stateSet(*lit, 0), "envlightNormalUp"));
+    EXPECT_TRUE(stateSet(*lit, 0).getTextureAttributeList().empty()) << "the textures are the model's";
+    for (const char* wrong : {"0", "9", "1.5", "true"}) {
+        EXPECT_FALSE(build({"a"}, std::string(R"({"a": {"brdf": "lambert", "normalMap": )") + wrong + "}}"));
+        EXPECT_NE(std::string::npos, error.find("a texture unit in 1..8")) << error;
+    }
+    EXPECT_FALSE(build({"a"}, R"({"a": {"brdf": "lambert", "metalRoughMap": 3}})"));
+    EXPECT_NE(std::string::npos, error.find("unknown key")) << error;
+}
+
 TEST_F(Materials, ConductorsOfASceneDescription)
 {
     const osg::ref_ptr<LitScene> lit = build(

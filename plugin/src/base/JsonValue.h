@@ -44,15 +44,15 @@ class JsonValue
     }
 
     // The members of an object, whose keys must all be known.
-    void object(std::initializer_list<const char*> keys, const char* what) const
+    void object(const std::vector<std::string>& keys, const char* what) const
     {
         if (!_json.is_object()) fail(what);
         for (const auto& [key, value] : _json.items()) {
             bool known = false;
             std::string list;
-            for (const char* k : keys) {
+            for (const std::string& k : keys) {
                 known = known || key == k;
-                list += (list.empty() ? "" : ", ") + std::string(k);
+                list += (list.empty() ? "" : ", ") + k;
             }
             if (!known) throw std::runtime_error(_file + ": unknown key '" + join(key) + "'; expected one of " + list);
         }

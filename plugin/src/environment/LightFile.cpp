@@ -70,7 +70,7 @@ osg::Vec3d readDirection(const JsonValue& v)
     return d;
 }
 
-DirectionalLight readLight(const JsonValue& v, std::initializer_list<const char*> keys, const char* what)
+DirectionalLight readLight(const JsonValue& v, const std::vector<std::string>& keys, const char* what)
 {
     v.object(keys, what);
     for (const char* key : {"direction", "flux"})

@@ -4,6 +4,7 @@
 #include <osgEnvLight/Material>
 #include "base/ReadMessage.h"
 #include "surface/MaterialMaps.h"
+#include "surface/SurfaceState.h"
 
 #include <osgDB/FileNameUtils>
 #include <osgDB/FileUtils>
@@ -48,28 +49,51 @@ HomeView readView(const Value& v)
     return c;
 }
 
+// The BRDF of a material that has no more keys than those of its BRDF.
+int readBrdf(const Value& v)
+{
+    struct Brdf {
+        const char* name;
+        Material::Brdf number;
+        std::vector<std::string> keys;
+    };
+    static const Brdf all[] = {{"lambert", Material::LAMBERT, {"diffuse", "diffuseRoughness"}},
+                               {"phong", Material::PHONG, {"diffuse", "specular", "exponent", "diffuseRoughness"}},
+                               {"blinn-phong", Material::BLINN_PHONG, {"diffuse", "specular", "exponent", "diffuseRoughness"}},
+                               {"cook-torrance",
+                                Material::COOK_TORRANCE,
+                                {"baseColor", "metalness", "roughness", "normals", "ior", "coat", "coatRoughness", "anisotropy",
+                                 "anisotropyRotation", "eta", "kappa", "diffuseRoughness", "metalRoughMap"}},
+                               {"strauss", Material::STRAUSS, {"baseColor", "metalness", "smoothness"}}};
+    const std::string name = v.get().is_object() && v.has("brdf") ? v["brdf"].string() : std::string();
+    const auto found = std::find_if(std::begin(all), std::end(all), [&](const Brdf& b) { return name == b.name; });
+    if (found == std::end(all))
+        v.fail("an object whose brdf is \"lambert\", \"phong\", \"blinn-phong\", \"cook-torrance\" or \"strauss\"");
+    std::vector<std::string> keys = {"brdf", "normalMap", "emissionMap", "topIsZero"};
+    keys.insert(keys.end(), found->keys.begin(), found->keys.end());
+    v.object(keys, "a material");
+    return found->number;
+}
+
+void readMapUnits(const Value& v, MaterialDescription& m)
+{
+    const auto read = [&v](const char* key, unsigned& unit) {
+        if (!v.has(key)) return;
+        const double number = v[key].number(1, SurfaceState::units - 1, "a texture unit in 1..8");
+        if (number != std::floor(number)) v[key].fail("a texture unit in 1..8");
+        unit = unsigned(number);
+    };
+    read("normalMap", m.normalMap);
+    read("metalRoughMap", m.metalRoughMap);
+    read("emissionMap", m.emissionMap);
+    if (v.has("topIsZero")) m.topIsZero = v["topIsZero"].boolean();
+}
+
 MaterialDescription readMaterial(const Value& v, const std::string& name)
 {
     MaterialDescription m;
     m.name = name;
-    const std::string brdf = v.get().is_object() && v.has("brdf") ? v["brdf"].string() : std::string();
-    if (brdf == "lambert") {
-        v.object({"brdf", "diffuse"}, "a material");
-        m.brdf = Material::LAMBERT;
-    } else if (brdf == "phong" || brdf == "blinn-phong") {
-        v.object({"brdf", "diffuse", "specular", "exponent"}, "a material");
-        m.brdf = brdf == "phong" ? Material::PHONG : Material::BLINN_PHONG;
-    } else if (brdf == "cook-torrance") {
-        v.object({"brdf", "baseColor", "metalness", "roughness", "normals", "ior", "coat", "coatRoughness", "anisotropy",
-                  "anisotropyRotation", "eta", "kappa"},
-                 "a material");
-        m.brdf = Material::COOK_TORRANCE;
-    } else if (brdf == "strauss") {
-        v.object({"brdf", "baseColor", "metalness", "smoothness"}, "a material");
-        m.brdf = Material::STRAUSS;
-    } else {
-        v.fail("an object whose brdf is \"lambert\", \"phong\", \"blinn-phong\", \"cook-torrance\" or \"strauss\"");
-    }
+    m.brdf = readBrdf(v);
     if (v.has("normals")) {
         const std::string normals = v["normals"].string();
         if (normals != "ggx" && normals != "beckmann") v["normals"].fail("\"ggx\" or \"beckmann\"");
@@ -77,16 +101,21 @@ MaterialDescription readMaterial(const Value& v, const std::string& name)
     }
     if (v.has("diffuse")) m.diffuse = color(v["diffuse"]);
     if (v.has("specular")) m.specular = color(v["specular"]);
-    if (v.has("exponent")) m.exponent = float(v["exponent"].number(0, 1e6, "an exponent in 0..1000000"));
     if (v.has("baseColor")) m.baseColor = color(v["baseColor"]);
-    if (v.has("metalness")) m.metalness = float(v["metalness"].number(0, 1, "a number in 0..1"));
-    if (v.has("smoothness")) m.smoothness = float(v["smoothness"].number(0, 1, "a number in 0..1"));
-    if (v.has("ior")) m.ior = float(v["ior"].number(1, 4, "an index of refraction in 1..4"));
-    if (v.has("coat")) m.coat = float(v["coat"].number(0, 1, "a number in 0..1"));
-    if (v.has("coatRoughness")) m.coatRoughness = float(v["coatRoughness"].number(0, 1, "a number in 0..1"));
-    if (v.has("anisotropy")) m.anisotropy = float(v["anisotropy"].number(0, 1, "a number in 0..1"));
-    if (v.has("anisotropyRotation"))
-        m.anisotropyRotation = float(v["anisotropyRotation"].number(-1e6, 1e6, "an angle in degrees"));
+    const auto read = [&v](const char* key, float& number, double low, double high, const char* expected) {
+        if (v.has(key)) number = float(v[key].number(low, high, expected));
+    };
+    const auto readShare = [&](const char* key, float& number) { read(key, number, 0, 1, "a number in 0..1"); };
+    read("exponent", m.exponent, 0, 1e6, "an exponent in 0..1000000");
+    read("ior", m.ior, 1, 4, "an index of refraction in 1..4");
+    read("anisotropyRotation", m.anisotropyRotation, -1e6, 1e6, "an angle in degrees");
+    readShare("metalness", m.metalness);
+    readShare("roughness", m.roughness);
+    readShare("smoothness", m.smoothness);
+    readShare("diffuseRoughness", m.diffuseRoughness);
+    readShare("coat", m.coat);
+    readShare("coatRoughness", m.coatRoughness);
+    readShare("anisotropy", m.anisotropy);
     if (m.anisotropy > 0.0f && (m.brdf != Material::COOK_TORRANCE || m.coat > 0.0f))
         v["anisotropy"].fail("anisotropy only on a surface without a coat whose normals are \"ggx\"");
     if (v.has("eta") != v.has("kappa")) v.fail("eta with kappa: the index of refraction of a metal");
@@ -96,8 +125,10 @@ MaterialDescription readMaterial(const Value& v, const std::string& name)
         m.eta = osg::Vec3f(v["eta"].vector(0.01, 100, "three numbers in 0.01..100"));
         m.kappa = osg::Vec3f(v["kappa"].vector(0, 100, "three numbers in 0..100"));
     }
+    readMapUnits(v, m);
     if (m.coat > 0.0f && m.brdf != Material::COOK_TORRANCE) v["coat"].fail("a coat only on a surface whose normals are \"ggx\"");
-    if (v.has("roughness")) m.roughness = float(v["roughness"].number(0, 1, "a number in 0..1"));
+    if (m.diffuseRoughness > 0.0f && (m.coat > 0.0f || m.anisotropy > 0.0f || v.has("eta")))
+        v["diffuseRoughness"].fail("diffuseRoughness only on a surface without a coat, anisotropy and eta");
     for (int i = 0; i < 3; ++i)
         if ((m.brdf == Material::PHONG || m.brdf == Material::BLINN_PHONG) && m.diffuse[i] + m.specular[i] > 1.0f + 1e-6f)
             v.fail("diffuse + specular <= 1");
@@ -247,10 +278,23 @@ class MaterialVisitor : public osg::NodeVisitor
         if (m.brdf == Material::COOK_TORRANCE || m.brdf == Material::BECKMANN) setMicrofacets(s, m);
         if (m.brdf == Material::STRAUSS) Material::setStrauss(s, m.baseColor, m.smoothness, m.metalness);
         // What the model's own material had goes.
+        if (m.diffuseRoughness > 0.0f || s.getUniform(MaterialMaps::diffuseRoughness))
+            Material::setDiffuseRoughness(s, m.diffuseRoughness);
         if (m.ior != 1.5f || s.getUniform(MaterialMaps::dielectric)) Material::setDielectric(s, m.ior);
         if (m.coat > 0.0f || s.getUniform(MaterialMaps::coat)) Material::setCoat(s, m.coat, m.coatRoughness);
         if (m.anisotropy > 0.0f || s.getUniform(MaterialMaps::anisotropy))
             Material::setAnisotropy(s, m.anisotropy, m.anisotropyRotation);
+        setMapUnits(s, m);
+    }
+
+    static void setMapUnits(osg::StateSet& s, const MaterialDescription& m)
+    {
+        if (m.normalMap > 0) Material::setNormalMap(s, nullptr, 1.0f, m.topIsZero, 0, m.normalMap);
+        if (m.metalRoughMap > 0) Material::setMetalRoughMap(s, nullptr, 0, m.metalRoughMap);
+        if (m.emissionMap > 0) {
+            Material::setEmission(s, osg::Vec3f(1, 1, 1));
+            Material::setEmissionMap(s, nullptr, 0, m.emissionMap);
+        }
     }
 
     const std::vector<MaterialDescription>& _materials;
