@@ -95,6 +95,7 @@ inline vec4 textureLod(const sampler2D& s, vec2 st, double)
 #define HAS_ANISOTROPY
 #define HAS_EDGES
 #include "lib/anisotropy.glsl"
+#include "lib/antialias.glsl"
 #include "lib/atlas.glsl"
 #include "lib/bilateral.glsl"
 #include "lib/beckmann.glsl"

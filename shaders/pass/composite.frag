@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // The picture, or any intermediate in its place, into the host's own colour and depth.
-#pragma import_defines(HAS_SUN_SHADOWS, HAS_OCCLUSION, BACKGROUND, ACCUMULATED, VIEW_TERM)
+#pragma import_defines(HAS_SUN_SHADOWS, HAS_OCCLUSION, BACKGROUND, ACCUMULATED, VIEW_TERM, ANTIALIASED)
 
 #include "lib/limits.glsl"
 #include "pass/display.glsl"
@@ -11,15 +11,16 @@
 #include "pass/view.glsl"
 uniform sampler2D diffuseLightMap;
 uniform float sceneRadius;
+#elif defined(ANTIALIASED)
+#include "lib/antialias.glsl"
+uniform sampler2D displayMap;
 #else
-uniform sampler2D radianceMap;
+#include "pass/shown.glsl"
 #endif
 uniform vec2 viewportOrigin;
 uniform vec2 hostDepth;  // offset and factor: from the G-buffer's depth to the host's
-#ifdef ACCUMULATED
-uniform sampler2D accumulatedMap;  // weighted sum of all frames of a still view but the first, whose radiance radianceMap is
-uniform float accumulatedWeight;
-uniform float accumulatedShare;    // of the average in what is shown
+#if defined(ANTIALIASED) && defined(ACCUMULATED)
+uniform float accumulatedShare;  // of the average, whose edges are smooth
 #endif
 
 layout(location = 0) out vec4 color;
@@ -95,14 +96,22 @@ void main()
         color = vec4(view == VIEW_LIGHTS ? display(lightsView(d, pixel), p) : vec3(0.0), 0.0);
     else
         color = vec4(display(termView(p, d, pixel), p), 1.0);
+#elif defined(ANTIALIASED)
+    EdgeShift shift = edgeShift(displayMap, p);
+#ifdef ACCUMULATED
+    shift.share *= 1.0 - accumulatedShare;
+#endif
+#ifndef BACKGROUND
+    if (depth >= 1.0 && shift.share <= 0.0) discard;
+#endif
+    color = texelFetch(displayMap, p, 0);
+    if (shift.share > 0.0) color = mix(color, texelFetch(displayMap, p + shift.side, 0), shift.share);
+    color.rgb = dithered(color.rgb, p);
 #else
 #ifndef BACKGROUND
     if (depth >= 1.0) discard;
 #endif
-    vec4 picture = texelFetch(radianceMap, p, 0);
-#ifdef ACCUMULATED
-    picture = mix(picture, texelFetch(accumulatedMap, p, 0) / accumulatedWeight, accumulatedShare);
-#endif
+    vec4 picture = shownPicture(p);
     color = vec4(display(picture.rgb, p), picture.a);
 #endif
 }

@@ -17,19 +17,28 @@ uniform float baseStops; // what the map is shown at, by exposureBase
 uniform float exposure;  // stops
 uniform int dither;
 
-vec3 display(vec3 radiance, ivec2 p)
+// What a display is sent.
+vec3 displayValues(vec3 radiance)
 {
-#ifdef OUTPUT_LINEAR
-    return radiance;
-#else
     vec3 c = max(radiance, vec3(0.0)) * exp2(baseStops + exposure);
     c = min(c, vec3(1e30)); // Inf / Inf
     if (toneCurve == TONE_REINHARD) c = toneReinhard(c);
     if (toneCurve == TONE_NEUTRAL) c = toneNeutral(c);
     if (toneCurve == TONE_SHOULDER) c = toneShoulder(c);
-    c = srgbEncode3(clamp(c, 0.0, 1.0));
-    if (dither != 0) c += (float(bayer4(p.x, p.y)) - 7.5) / (16.0 * 255.0);
-    return c;
+    return srgbEncode3(clamp(c, 0.0, 1.0));
+}
+
+vec3 dithered(vec3 c, ivec2 p)
+{
+    return dither != 0 ? c + (float(bayer4(p.x, p.y)) - 7.5) / (16.0 * 255.0) : c;
+}
+
+vec3 display(vec3 radiance, ivec2 p)
+{
+#ifdef OUTPUT_LINEAR
+    return radiance;
+#else
+    return dithered(displayValues(radiance), p);
 #endif
 }
 

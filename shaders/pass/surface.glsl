@@ -77,16 +77,20 @@ vec3 facetNormal(vec3 ray)
     return dot(facet, ray) > 0.0 ? -facet : facet;
 }
 
-// The unit normal that shades, on the facet's side.
-vec3 surfaceNormal(vec3 facet)
+// The unit normal that shades, on the facet's side. At a body's outline, where its front and its back are as deep, a pixel may show the
+// back: there the normal turns away from the eye within the pixel, and it is the outline's.
+vec3 surfaceNormal(vec3 facet, vec3 ray)
 {
 #ifdef FACE_NORMAL
     return facet;
 #else
     float normalLength = length(eyeNormal);
+    vec3 n = eyeNormal / max(normalLength, 1e-30);
+    float away = dot(n, ray);
+    float change = fwidth(away);
     if (!(normalLength > 0.0)) return facet;
-    vec3 n = eyeNormal / normalLength;
-    return dot(n, facet) < 0.0 ? -n : n;
+    if (dot(n, facet) >= 0.0) return n;
+    return away < change ? normalize(n - away * ray) : -n;
 #endif
 }
 
@@ -174,7 +178,7 @@ Surface readSurface()
 {
     vec3 ray = viewRayAt(gl_ProjectionMatrixInverse, eyePosition);
     vec3 facet = facetNormal(ray);
-    Surface s = blackSurface(eyePosition, ray, surfaceNormal(facet));
+    Surface s = blackSurface(eyePosition, ray, surfaceNormal(facet, ray));
     s.bulge = surfaceBulge(facet, s.normal);
 #ifdef NORMAL_MAP
     s.normal = mappedNormal(s.normal, eyePosition);

@@ -276,3 +276,41 @@ TEST_F(Surfaces, ACameraOfTheApplicationsFillsTheGBuffer)
     renderer.render(lit, 2);
     EXPECT_NE(std::string::npos, notify.text().find("16x24, expected the view's 32x32")) << notify.text();
 }
+
+// At the outline of a body its back may be as deep as its front, and be what a pixel shows: its normal is the outline's, and does
+// not point into the body, where nothing is seen of the sky. A sheet seen from behind turns its normal, at any angle.
+TEST_F(Surfaces, NormalsFaceTheEyeAtOutlines)
+{
+    const int size = 160;
+    SceneRenderer large(size, size);
+    const osg::ref_ptr<LitScene> lit = whiteFurnace();
+    lit->getSettings()->view = Settings::NORMAL;
+    lit->getSettings()->background = Settings::BACKGROUND_OFF;
+    for (int i = 0; i < 64; ++i) lit->addChild(makeSphere(osg::Vec3d(i % 8 * 1.1 - 3.85, 0, i / 8 * 1.1 - 3.85), 0.5, 48));
+    large.lookAt(osg::Vec3d(0, -30, 0), osg::Vec3d(), osg::Vec3d(0, 0, 1), 17.0);
+    const Picture p = large.render(lit, 2);
+    const double halfWidth = 30.0 * std::tan(osg::DegreesToRadians(8.5));
+    int outlines = 0, inward = 0;
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
+            if (p.rgba[size_t(4 * (y * size + x) + 3)] < 0.5f) continue;
+            const osg::Vec2d place((2.0 * x + 1.0 - size) / size * halfWidth, (2.0 * y + 1.0 - size) / size * halfWidth);
+            const osg::Vec2d outward(place[0] - 1.1 * (std::floor(place[0] / 1.1) + 0.5),
+                                     place[1] - 1.1 * (std::floor(place[1] / 1.1) + 0.5));
+            if (outward.length() < 0.4) continue;
+            const osg::Vec3d n = p.color(x, y) * 2.0 - osg::Vec3d(1, 1, 1);
+            ++outlines;
+            if (osg::Vec2d(n[0], n[2]) * outward < 0.0) ++inward;
+        }
+    EXPECT_GT(outlines, 1000);
+    EXPECT_EQ(0, inward);
+
+    const osg::ref_ptr<LitScene> sheet = whiteFurnace();
+    sheet->getSettings()->view = Settings::NORMAL;
+    sheet->addChild(screen());
+    for (const double degrees : {5.0, 60.0, 88.0}) {
+        const double a = osg::DegreesToRadians(degrees);
+        renderer.lookAt(osg::Vec3d(4 * std::sin(a), 4 * std::cos(a), 0), osg::Vec3d());
+        EXPECT_NEAR(1.0, centre(renderer, sheet)[1], 0.01) << degrees;
+    }
+}

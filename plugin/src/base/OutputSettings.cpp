@@ -24,6 +24,8 @@ std::vector<SettingsProperty> OutputSettings::properties()
             "toneCurve", &S::toneCurve, {"clip", "reinhard", "neutral", "shoulder"},
             "from radiance to the display's range: none, Reinhard 2002, Khronos PBR Neutral, or that with only its highlights "
             "bent")),
+        choice("antialias", &S::antialias, {"off", "edges"},
+               "smooth the staircases of edges in what is shown on a display; a still view's average (accumulate) has none"),
         uniform(onOff("dither", &S::dither, "ordered dither of half an 8-bit step against bands")),
     };
 }

@@ -222,8 +222,12 @@ osg::StateSet& FrameGraph::stateOf(const Node& node, FrameContext& c)
     const std::string name = node.pass->name();
     const bool reversed = in.toHost && c.depth.reversed;
     const std::vector<StateSets::Sampler> all = samplers(node);
-    const std::string mark = in.drawsMarked() ? (in.drawsUnmarked ? " beyond mark " : " of mark ") + std::to_string(in.drawnMark) : "";
-    StateSets::Key key{name + (in.adds ? " adds" : "") + (reversed ? " reversed" : "") + mark, in.defines, {}};
+    const std::string mark =
+        in.drawsMarked() ? (in.drawsUnmarked ? " beyond mark " : " of mark ") + std::to_string(in.drawnMark) : "";
+    StateSets::Key key{
+        name + (in.adds ? " adds" : "") + (in.blendsOverHost ? " over" : "") + (reversed ? " reversed" : "") + mark,
+        in.defines,
+        {}};
     for (const StateSets::Sampler& s : all) key.objects.push_back(s.texture.get());
     for (const auto& u : in.uniforms) key.objects.push_back(u.get());
     const StateSets::State state = _states.get(key);
@@ -236,6 +240,7 @@ osg::StateSet& FrameGraph::stateOf(const Node& node, FrameContext& c)
     for (GLenum mode : {GLenum(GL_BLEND), GLenum(GL_CULL_FACE), GLenum(GL_LIGHTING), GLenum(GL_ALPHA_TEST)}) s.setMode(mode, off);
     for (GLenum plane = GL_CLIP_PLANE0; plane < GL_CLIP_PLANE0 + 6; ++plane) s.setMode(plane, off);
     if (in.adds) s.setAttributeAndModes(new osg::BlendFunc(GL_ONE, GL_ONE), on);
+    if (in.blendsOverHost) s.setAttributeAndModes(new osg::BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA), on);
     s.setAttribute(new osg::PolygonMode, on);
     s.setAttributeAndModes(depthTest(in, reversed), in.toHost || in.marks.valid() ? on : off);
     for (unsigned unit = 0; unit < all.size(); ++unit) StateSets::bind(s, unit, all[unit]);

@@ -74,6 +74,7 @@ struct PassInputs {
     osg::StateSet* filled = nullptr;
     bool adds = false;
     bool toHost = false;
+    bool blendsOverHost = false;
     bool drawsAlways = false;
     bool keepsContents = false;
 
@@ -122,6 +123,8 @@ class OSGENVLIGHT_EXPORT PassBuilder
     void drawUnmarked(TextureId marks);
     /** Draw into the host's colour and depth. */
     void writeHost() { _inputs.toHost = true; }
+    /** The colours, multiplied by their alpha before, lie over what the host has drawn. */
+    void blendOverHost() { _inputs.blendsOverHost = true; }
     /** Draw whether or not another pass reads it in this frame. */
     void drawAlways() { _inputs.drawsAlways = true; }
     /** Draw nothing in this frame: what was drawn into kept textures stays. */

@@ -48,6 +48,7 @@ LitView::LitView(Failure* failure, RetiredObjects* retired, SurfaceSorter* sorte
     graph.add(new ReflectionFilterPass);
     graph.add(new AccumulatePass);
     graph.add(new StillErrorPass);
+    graph.add(new DisplayPass);
     graph.add(new CompositePass);
     graph.add(new ForwardPass);
 }

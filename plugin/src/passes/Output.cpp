@@ -15,6 +15,16 @@ Requirement requirePicture(const FrameContext& c)
     return picture.unless(c.settings.view != Settings::BEAUTY, "an intermediate is shown");
 }
 
+// The frame's radiance, and a still view's average.
+bool readShown(PassBuilder& b, const FrameContext& c)
+{
+    if (!b.read("radiance", "radianceMap")) return false;
+    if (!c.hasFirstFrame()) return true;
+    b.define("ACCUMULATED");
+    b.read(b.find("average"), "accumulatedMap");
+    return true;
+}
+
 }  // namespace
 
 Requirement BackgroundPass::require(const FrameContext& c) const
@@ -58,6 +68,21 @@ void ResolvePass::setup(PassBuilder& b, FrameContext& c)
     overBackground ? b.drawOver(radiance) : b.write(radiance);
 }
 
+Requirement DisplayPass::require(const FrameContext& c) const
+{
+    Requirement display = requirePicture(c);
+    display.unless(c.settings.antialias == Settings::ANTIALIAS_OFF, "edges are not smoothed");
+    display.unless(c.settings.output == Settings::LINEAR, "the host gets linear radiance, pixel by pixel");
+    return display.because("edges are smoothed");
+}
+
+void DisplayPass::setup(PassBuilder& b, FrameContext& c)
+{
+    readShown(b, c);
+    b.settings<OutputSettings>();
+    b.write(b.create("display", {GL_RGBA16}));
+}
+
 Requirement CompositePass::require(const FrameContext& c) const
 {
     Requirement composite;
@@ -71,12 +96,13 @@ void CompositePass::setup(PassBuilder& b, FrameContext& c)
     b.readGBuffer();
     b.settings<OutputSettings>();
     b.define("BACKGROUND", c.background != Settings::BACKGROUND_OFF);
-    if (!b.read("radiance", "radianceMap")) {
+    if (b.read("display", "displayMap")) {
+        b.define("ANTIALIASED");
+        b.define("ACCUMULATED", c.hasFirstFrame());
+        if (c.background == Settings::BACKGROUND_OFF) b.blendOverHost();
+    } else if (!readShown(b, c)) {
         b.define("VIEW_TERM");
         readTerms(b, c);
-    } else if (c.hasFirstFrame()) {
-        b.define("ACCUMULATED");
-        b.read(b.find("average"), "accumulatedMap");
     }
     b.define("OUTPUT_LINEAR", s.output == Settings::LINEAR);
     if (s.view != Settings::LIGHT_LIST) return;

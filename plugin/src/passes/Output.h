@@ -24,6 +24,15 @@ class OSGENVLIGHT_EXPORT ResolvePass : public RenderPass
     void setup(PassBuilder& builder, FrameContext& context) override;
 };
 
+/** The picture as a display shows it: where the composite smooths its edges. */
+class OSGENVLIGHT_EXPORT DisplayPass : public RenderPass
+{
+  public:
+    const char* name() const override { return "display"; }
+    Requirement require(const FrameContext& context) const override;
+    void setup(PassBuilder& builder, FrameContext& context) override;
+};
+
 /** The picture, or any intermediate in its place, into the host's colour and depth. */
 class OSGENVLIGHT_EXPORT CompositePass : public RenderPass
 {

@@ -1,0 +1,13 @@
+#version 330 compatibility
+// SPDX-License-Identifier: MIT
+// The picture as a display shows it, for the smoothing of its edges: display values, and 1 where there is a surface.
+
+#include "pass/shown.glsl"
+
+layout(location = 0) out vec4 display;
+
+void main()
+{
+    vec4 picture = shownPicture(ivec2(gl_FragCoord.xy));
+    display = vec4(displayValues(picture.rgb), picture.a);
+}
