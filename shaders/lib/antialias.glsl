@@ -68,10 +68,13 @@ EdgeShift edgeShift(sampler2D picture, ivec2 p)
     vec2 back = edgeEnd(picture, p, side, -along, middle, contrast);
     vec2 forth = edgeEnd(picture, p, side, along, middle, contrast);
     vec2 end = back.x < forth.x ? back : forth;
-    // At the nearer end the neighbour's side goes on: the edge cuts into this pixel, not into the neighbour.
-    if ((own - middle) * end.y >= 0.0) return shift;
     shift.side = side;
-    shift.share = 0.5 - end.x / (back.x + forth.x);
+    // Only if the neighbour's side goes on at the nearer end: then the edge cuts into this pixel, not into the neighbour.
+    if ((own - middle) * end.y < 0.0) shift.share = 0.5 - end.x / (back.x + forth.x);
+    // Of all around a pixel beside a straight edge a third differs, and more beside the corner of a step or a lone point.
+    float around = (2.0 * (left + right + below + above) + leftBelow + rightBelow + leftAbove + rightAbove) / 12.0;
+    float lone = clamp(1.5 * abs(around - own) / (most - least) - 0.5, 0.0, 1.0);
+    shift.share = max(shift.share, 0.5 * lone);
     return shift;
 }
 

@@ -4,10 +4,10 @@
 
 #include "pass/shown.glsl"
 
-layout(location = 0) out vec4 display;
+layout(location = 0) out vec4 shown;
 
 void main()
 {
     vec4 picture = shownPicture(ivec2(gl_FragCoord.xy));
-    display = vec4(displayValues(picture.rgb), picture.a);
+    shown = vec4(displayValues(picture.rgb), picture.a);
 }
