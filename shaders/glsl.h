@@ -117,6 +117,7 @@ inline vec4 textureLod(const sampler2D& s, vec2 st, double)
 #include "lib/phong.glsl"
 #include "lib/prefiltered.glsl"
 #include "lib/roughdiffuse.glsl"
+#include "lib/roughdiffusesky.glsl"
 #include "lib/scenelight.glsl"
 #include "lib/sequence.glsl"
 #include "lib/sh.glsl"

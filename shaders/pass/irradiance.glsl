@@ -5,6 +5,9 @@
 
 #include "lib/octahedral.glsl"
 #include "lib/sh.glsl"
+#ifdef HAS_ROUGH_DIFFUSE
+#include "lib/roughdiffusesky.glsl"
+#endif
 
 #if defined(DIFFUSE_SH_9) || defined(DIFFUSE_SH_18) || defined(HAS_ROUGH_DIFFUSE)
 uniform vec3 shCoefficients[18];

@@ -77,15 +77,13 @@ int readBrdf(const Value& v)
 
 void readMapUnits(const Value& v, MaterialDescription& m)
 {
-    const auto read = [&v](const char* key, unsigned& unit) {
-        if (!v.has(key)) return;
-        const double number = v[key].number(1, SurfaceState::units - 1, "a texture unit in 1..8");
-        if (number != std::floor(number)) v[key].fail("a texture unit in 1..8");
-        unit = unsigned(number);
-    };
-    read("normalMap", m.normalMap);
-    read("metalRoughMap", m.metalRoughMap);
-    read("emissionMap", m.emissionMap);
+    const std::pair<const char*, unsigned*> maps[] = {
+        {"normalMap", &m.normalMap}, {"metalRoughMap", &m.metalRoughMap}, {"emissionMap", &m.emissionMap}};
+    for (const auto& [key, unit] : maps) {
+        if (!v.has(key)) continue;
+        *unit = unsigned(v[key].number(1, SurfaceState::units - 1, "a texture unit in 1..8"));
+        if (v[key].get() != *unit) v[key].fail("a texture unit in 1..8");
+    }
     if (v.has("topIsZero")) m.topIsZero = v["topIsZero"].boolean();
 }
 
@@ -263,10 +261,8 @@ class MaterialVisitor : public osg::NodeVisitor
     static void setMicrofacets(osg::StateSet& s, const MaterialDescription& m)
     {
         const auto normals = m.brdf == Material::BECKMANN ? Material::BECKMANN_NORMALS : Material::GGX_NORMALS;
-        if (m.eta.x() > 0.0f)
-            Material::setConductor(s, m.eta, m.kappa, m.roughness, normals);
-        else
-            Material::setCookTorrance(s, m.baseColor, m.metalness, m.roughness, normals);
+        if (m.eta.x() > 0.0f) return Material::setConductor(s, m.eta, m.kappa, m.roughness, normals);
+        Material::setCookTorrance(s, m.baseColor, m.metalness, m.roughness, normals);
     }
 
     void set(osg::StateSet& s, size_t i)
