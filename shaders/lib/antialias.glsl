@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Smooths the staircases of a finished picture. Where in a pixel its edge runs follows from how far along the edge the staircase's next
-// steps are [Reshetov 2009; Lottes 2009].
+// Smooths the staircases of edges in a finished picture. The distances to the staircase's next steps tell where in a pixel the edge
+// runs [Reshetov 2009; Lottes 2009].
 #ifndef ANTIALIAS_GLSL
 #define ANTIALIAS_GLSL
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The diffuse layer of a surface: facets that are Lambert's, and what goes on between them [Oren, Nayar 1994], in Fujii's form with
-// several bounces [Portsmouth, Kutz, Hill 2025]. At roughness 0 it is Lambert's, and a white one loses nothing at any roughness.
+// A rough diffuse layer: facets, each a Lambert surface, that shade and light each other [Oren, Nayar 1994]. One bounce has Fujii's form;
+// further bounces give back what it loses [Portsmouth, Kutz, Hill 2025]. Roughness 0 is a Lambert surface. White reflects everything.
 #ifndef ROUGHDIFFUSE_GLSL
 #define ROUGHDIFFUSE_GLSL
 
@@ -28,8 +28,8 @@ RoughDiffuse roughDiffuse(vec3 albedo, float roughness)
     return d;
 }
 
-// The diffuse layer's 8 bits of roughness among a kind's parameters: below those of metals' edges, above what programs of the host's
-// own may leave in the lowest four.
+// The roughness in 8 bits of a kind's parameters. The bit above them marks a metal's edge. The host's own programs may leave anything
+// in the four below.
 uint packDiffuseRoughness(float roughness)
 {
     return uint(clamp(roughness, 0.0, 1.0) * 255.0 + 0.5) << 4;
@@ -40,7 +40,8 @@ float unpackDiffuseRoughness(uint bits)
     return bits < 4096u ? float(bits >> 4) / 255.0 : 0.0;
 }
 
-// Integrals over x = cos(theta) of the light, of x sin(theta) f(x) / max(x, c): of 1, x and x^2, and sin^2. c: cosine to the view.
+// Four integrals over the cosine x of the light, from 0 to 1: of x sqrt(1 - x^2) f(x) / max(x, c) for f = 1, x, x^2 and 1 - x^2. c is
+// the cosine of the view.
 vec4 facetIntegrals(float c)
 {
     float s2 = max(1.0 - c * c, 0.0);

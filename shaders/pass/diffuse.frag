@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// D: the diffuse term without occlusion, rho/pi times the integral of L cos [seed 000, eq. 3, second term]. Its alpha is the share of the
-// albedo that diffuse light meets.
+// D: the diffuse term without occlusion, rho/pi times the integral of L cos [seed 000, eq. 3, second term]. Alpha is the share of the
+// albedo that light from everywhere meets.
 // Radiance in units of the map's mean.
 #pragma import_defines(HAS_SUNS, HAS_SUN_SHADOWS)
 
@@ -21,7 +21,7 @@ layout(location = 2) out vec4 sunShaded;  // what is left of that
 #endif
 #endif
 
-// What the diffuse layer sends towards the eye of the sky; and of light that comes from one direction, over its irradiance over pi.
+// ofSky() is the radiance that the diffuse layer reflects of the map. ofDirection() is pi times its BRDF for light from one direction.
 #ifdef HAS_ROUGH_DIFFUSE
 vec3 ofSky(RoughDiffuse d, ivec2 p, vec3 mapNormal)
 {

@@ -175,8 +175,8 @@ Layers layersOf(Surface s)
     return layers;
 }
 
-// What the diffuse layer sends to the eye of the sky; of light from everywhere, over its radiance; and of light from one direction in eye
-// space, over its irradiance over pi.
+// diffuseOfSky() is the radiance that the diffuse layer reflects of the map; diffuseAlbedo() is its directional albedo;
+// diffuseOfDirection() is pi times its BRDF for light from the eye-space direction l.
 #ifdef HAS_ROUGH_DIFFUSE
 float viewCosine(Surface s)
 {

@@ -33,7 +33,7 @@ void main()
         vec3 light = sceneLightAt(i, eye, direction);
         vec3 l = transpose(eyeFromLocal) * direction;
 #ifdef HAS_ROUGH_DIFFUSE
-        vec3 diffuse = roughDiffuseBrdf(layer, v.z, max(l.z, 0.0), dot(v, l));
+        vec3 diffuse = pixelDiffuseBrdf(layer, p, pixelNormal(p), direction);
 #else
         vec3 diffuse = albedo * b.body;
 #endif

@@ -77,8 +77,8 @@ vec3 facetNormal(vec3 ray)
     return dot(facet, ray) > 0.0 ? -facet : facet;
 }
 
-// The unit normal that shades, on the facet's side. At a body's outline, where its front and its back are as deep, a pixel may show the
-// back: there the normal turns away from the eye within the pixel, and it is the outline's.
+// The unit normal that shades, on the facet's side. At a body's outline front and back have the same depth, and a pixel may show the
+// back. The vertices' normals turn away from the eye within that pixel: it gets the normal at which they do.
 vec3 surfaceNormal(vec3 facet, vec3 ray)
 {
 #ifdef FACE_NORMAL

@@ -50,7 +50,7 @@ double errorOf(const char* map, float roughness, float truthsRoughness)
 
 }  // namespace
 
-// Of the built-in sky bands 0 to 2 have all that is not the sun's; of the studio's hard lamps not: measured .6 and 1.6 %, where a
+// Bands 0 to 2 hold all of the built-in sky but its sun. They do not hold the studio's hard lamps: measured .6 and 1.6 %, where a
 // Lambert ball is 4.0 % off.
 TEST(RoughDiffuse, AsTheRayTracersBall)
 {

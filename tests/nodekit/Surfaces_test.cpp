@@ -277,8 +277,8 @@ TEST_F(Surfaces, ACameraOfTheApplicationsFillsTheGBuffer)
     EXPECT_NE(std::string::npos, notify.text().find("16x24, expected the view's 32x32")) << notify.text();
 }
 
-// At the outline of a body its back may be as deep as its front, and be what a pixel shows: its normal is the outline's, and does
-// not point into the body, where nothing is seen of the sky. A sheet seen from behind turns its normal, at any angle.
+// At a body's outline back and front have the same depth, and a pixel may show the back. Its normal must not point into the body,
+// from where no sky is seen. A sheet that is seen from behind turns its normal at any angle.
 TEST_F(Surfaces, NormalsFaceTheEyeAtOutlines)
 {
     const int size = 160;
