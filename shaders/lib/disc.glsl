@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What discs and spheres of even radiance send a surface: their form factor, the irradiance over pi at radiance 1. Local frame as in
-// lib/polygon.glsl.
+// What discs and spheres of even radiance send a surface: their form factor, the irradiance over pi at radiance 1. Local frame as
+// in lib/polygon.glsl.
 #ifndef DISC_GLSL
 #define DISC_GLSL
 
@@ -76,7 +76,8 @@ Arc arcAbove(Disc d, float reach)
     return arc;
 }
 
-// Lambert's integral along the arc less the same over `mean`: in powers of swing / mean < 0.1, by the integrals of cos^k and cos^k sin.
+// Lambert's integral along the arc less the same over `mean`: in powers of swing / mean < 0.1, by the integrals of cos^k and
+// cos^k sin.
 float arcExcessByPowers(Disc d, Arc arc)
 {
     float k = -d.swing / d.mean;
@@ -132,7 +133,7 @@ float cutDisc(Disc d, float reach)
     float beyond = dot(d.center, from + from + chord) + dot(from, chord);
     float segment = d.a * (arc.angle - (arc.to.y * arc.from.x - arc.to.x * arc.from.y)) / d.mean;
     float rim = d.swing < 0.1 * d.mean ? arcExcessByPowers(d, arc) : arcExcess(d, arc);
-    return formFactorOf(segment + rim + c.z * angleExcess(c.z * c.z, d.mean, beyond));
+    return formFactorOf(segment + rim + c.z * angleOverSine(c.z * c.z, d.mean + beyond, true, d.mean, beyond));
 }
 
 // Disc with two radii u and v at right angles, lit on the side of u x v. 0 behind that and on its plane.

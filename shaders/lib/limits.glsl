@@ -9,6 +9,9 @@ const int NEAREST_LIGHTS = 16;    // to a direction that are known of a sky shad
 const int MOST_SUNS = 8;          // cut from a map
 const int MOST_SUN_LEVELS = 4;    // shadow maps of a sun
 const int MOST_SCENE_LIGHTS = 8;  // of OpenGL's fixed function
+const int AREA_LIGHT_ROWS = 4;    // of what pass/arealights.glsl knows of a light, before its vertices
+const int MOST_LIGHT_VERTICES = 32;  // of a polygon
+const int EMITTER_POINT_ROWS = 7; // of what pass/emitterpoints.glsl knows of a point
 const int BOUNCE_BLOCKS = 32;     // along each side of the picture
 const int ERROR_BLOCKS = 32;      // along each side of the picture
 const int ALBEDO_BLOCKS = 3;      // of the table of lobes' albedo, one for each distribution
@@ -28,6 +31,9 @@ const float MARK_TRACED = 0.25;   // a surface with a lobe that is narrow enough
 const float MARK_GLOSSY = 0.375;  // a surface with a lobe
 const float MARK_SURFACE = 0.5;
 const float MARK_NONE = 1.0;
+
+// In the emission's alpha, of the surface of an area light: what it sends is in the light's own terms. Else that is below .5, or 1.
+const float LIGHT_MARK = 0.75;
 
 // How the texture of a unit joins the colour below it: as TexEnv and the forms of TexEnvCombine that say the same.
 const int STAGE_NONE = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What polygons of even radiance send a surface [Lambert 1760]: their form factor, the irradiance over pi at radiance 1. Local frame:
-// the surface's point is the origin, its normal +Z. Points of a light are given from its centre, and the centre from the origin:
-// vertices that were rounded far away would cost small lights their digits.
+// What polygons of even radiance send a surface [Lambert 1760]: their form factor, the irradiance over pi at radiance 1. Local
+// frame: the surface's point is the origin, its normal +Z. Points of a light are given from its centre, and the centre from the
+// origin: vertices that were rounded far away would cost small lights their digits.
 #ifndef POLYGON_GLSL
 #define POLYGON_GLSL
 
@@ -16,15 +16,16 @@ float arcTangentRest(float t2)
            t2 * (1.0 / 11.0 - t2 * (1.0 / 13.0 - t2 * (1.0 / 15.0 - t2 / 17.0)))))));
 }
 
-// The angle between two vectors over the length of their cross product, less 1 / square. c2: that length squared; beyond: their dot
-// product less `square`.
-float angleExcess(float c2, float square, float beyond)
+// The angle between two vectors over the length of their cross product, less 1 / square where `isFar`. c2: that length squared;
+// along: their dot product; beyond: that less `square`.
+float angleOverSine(float c2, float along, bool isFar, float square, float beyond)
 {
-    float along = square + beyond;
-    if (along > 0.0 && c2 < 0.04 * along * along)
-        return (arcTangentRest(c2 / (along * along)) * square - beyond) / (square * along);
-    float c = sqrt(c2);
-    return c > 0.0 ? atan(c, along) / c - 1.0 / square : 0.0;
+    if (along > 0.0 && c2 < 0.04 * along * along) {
+        float rest = arcTangentRest(c2 / (along * along));
+        return isFar ? (rest * square - beyond) / (square * along) : (1.0 + rest) / along;
+    }
+    float sine = sqrt(c2);
+    return sine > 0.0 ? atan(sine, along) / sine - (isFar ? 1.0 / square : 0.0) : 0.0;
 }
 
 // A light's centre, seen from the surface. Lambert's sum takes angle / |c| times c = a x b for each edge from a to b. Where the
@@ -51,15 +52,10 @@ float edgeTerm(PolygonCenter center, vec3 from, vec3 edge)
 {
     vec3 a = center.position + from;
     vec3 c = cross(a, edge);
-    float c2 = dot(c, c);
-    if (center.isFar) {
-        float beyond = dot(center.position, from + from + edge) + dot(from, from + edge);
-        return c.z * angleExcess(c2, center.square, beyond) + (from.x * edge.y - from.y * edge.x) / center.square;
-    }
-    float along = dot(a, a + edge);
-    if (along > 0.0 && c2 < 0.04 * along * along) return c.z * (1.0 + arcTangentRest(c2 / (along * along))) / along;
-    float sine = sqrt(c2);
-    return sine > 0.0 ? c.z * atan(sine, along) / sine : 0.0;
+    float beyond = dot(center.position, from + from + edge) + dot(from, from + edge);
+    float along = center.isFar ? center.square + beyond : dot(a, a + edge);
+    float known = center.isFar ? (from.x * edge.y - from.y * edge.x) / center.square : 0.0;
+    return c.z * angleOverSine(dot(c, c), along, center.isFar, center.square, beyond) + known;
 }
 
 float formFactorOf(float sum)

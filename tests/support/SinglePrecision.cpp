@@ -21,8 +21,20 @@ inline float clamp(float x, double low, double high)
 {
     return glm::clamp(x, float(low), float(high));
 }
+// Nothing here reads a texture.
+struct sampler2D {
+};
+inline ivec2 textureSize(sampler2D, int)
+{
+    return ivec2(0);
+}
+inline vec4 textureLod(sampler2D, const vec2&, float)
+{
+    return vec4(0);
+}
 #include "lib/constants.glsl"
 #include "lib/disc.glsl"
+#include "lib/ltc.glsl"
 #include "lib/polygon.glsl"
 #include "lib/sun.glsl"
 
@@ -54,6 +66,11 @@ float discFormFactor(const glm::vec3& center, const glm::vec3& u, const glm::vec
 float sphereFormFactor(const glm::vec3& center, float radius)
 {
     return ::sphereFormFactor(center, radius);
+}
+
+float ltcRectangle(const glm::vec4& inverse, const glm::vec3& center, const glm::vec3& u, const glm::vec3& v)
+{
+    return ::ltcRectangle({inverse, ltcLeak(inverse)}, center, u, v);
 }
 
 }  // namespace testmaths::single

@@ -16,5 +16,6 @@ float rectangleFormFactor(const glm::vec3& center, const glm::vec3& u, const glm
 float polygonFormFactor(const glm::vec3& center, float squareRadius, const std::vector<glm::vec3>& vertices);
 float discFormFactor(const glm::vec3& center, const glm::vec3& u, const glm::vec3& v);
 float sphereFormFactor(const glm::vec3& center, float radius);
+float ltcRectangle(const glm::vec4& inverse, const glm::vec3& center, const glm::vec3& u, const glm::vec3& v);
 
 }  // namespace testmaths::single
