@@ -27,6 +27,7 @@ struct MaterialMaps {
     static constexpr const char* coatNormalScale = "envlightCoatNormalScale";
     static constexpr const char* coatNormalUp = "envlightCoatNormalUp";
     static constexpr const char* emission = "envlightEmission";  // linear
+    static constexpr const char* light = "envlightLight";        // radiance of an AreaLight's surface
     static constexpr const char* dielectric = "envlightDielectric";
     static constexpr const char* edge = "envlightEdge";  // of metal: the argument of edgeLoss()
     static constexpr const char* diffuseRoughness = "envlightDiffuseRoughness";
