@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "shadow/EmitterPoints.h"
+
+#include <osg/BoundingBox>
+#include <osg/Math>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+const double golden = 0.61803398874989485;
+// Off the surface, in shares of its width: what is drawn of the light then lies behind the point's map.
+const double lift = 1e-4;
+
+// A side of a light that sends light.
+struct Side {
+    const Emitter* light;
+    double turned;  // -1: the back
+    double flux;
+    unsigned points = 0;
+};
+
+std::vector<Side> litSides(const std::vector<Emitter>& lights)
+{
+    std::vector<Side> sides;
+    for (const Emitter& light : lights) {
+        const double flux = light.flux() / (light.twoSided ? 2.0 : 1.0);
+        if (!(flux > 0.0)) continue;
+        sides.push_back({&light, 1.0, flux});
+        if (light.twoSided) sides.push_back({&light, -1.0, flux});
+    }
+    return sides;
+}
+
+// A point of the polygon at (a, b) of the unit square, by the areas of its triangles.
+osg::Vec3d onPolygon(const Emitter& light, double a, double b)
+{
+    double left = a * light.area;
+    const size_t count = light.triangles.size() / 3;
+    for (size_t i = 0; i < count; ++i) {
+        const osg::Vec3d& p = light.vertices[light.triangles[3 * i]];
+        const osg::Vec3d q = light.vertices[light.triangles[3 * i + 1]] - p, r = light.vertices[light.triangles[3 * i + 2]] - p;
+        const double area = 0.5 * (q ^ r).length();
+        if (left > area && i + 1 < count) {
+            left -= area;
+            continue;
+        }
+        const double s = std::sqrt(std::clamp(left / area, 0.0, 1.0));
+        return p + q * (s * (1.0 - b)) + r * (s * b);
+    }
+    return osg::Vec3d();
+}
+
+EmitterPoint pointAt(const Side& side, double a, double b)
+{
+    const Emitter& light = *side.light;
+    EmitterPoint point;
+    point.normal = light.normal * side.turned;
+    const double angle = 2.0 * osg::PI * b;
+    osg::Vec3d offset;
+    switch (light.shape) {
+        case AreaLight::RECTANGLE:
+            offset = light.u * (2.0 * a - 1.0) + light.v * (2.0 * b - 1.0);
+            break;
+        case AreaLight::DISC:
+            offset = (light.u * std::cos(angle) + light.v * std::sin(angle)) * std::sqrt(a);
+            break;
+        case AreaLight::SPHERE: {
+            const double z = 1.0 - 2.0 * a, r = std::sqrt(std::max(1.0 - z * z, 0.0));
+            point.normal = osg::Vec3d(r * std::cos(angle), r * std::sin(angle), z);
+            offset = point.normal * light.radius();
+            break;
+        }
+        case AreaLight::POLYGON:
+            offset = onPolygon(light, a, b);
+            break;
+    }
+    point.position = light.center + offset + point.normal * (lift * std::sqrt(light.area));
+    return point;
+}
+
+// The points that each side gets: one, and of the rest by flux, by the largest remainders.
+void deal(std::vector<Side>& sides, unsigned count)
+{
+    double total = 0.0;
+    for (const Side& side : sides) total += side.flux;
+    const auto rest = double(count - sides.size());
+    std::vector<std::pair<double, size_t>> remainders;
+    unsigned dealt = 0;
+    for (size_t i = 0; i < sides.size(); ++i) {
+        const double share = rest * sides[i].flux / total;
+        sides[i].points = 1 + unsigned(share);
+        dealt += sides[i].points;
+        remainders.emplace_back(std::floor(share) - share, i);
+    }
+    std::sort(remainders.begin(), remainders.end());
+    for (unsigned k = 0; dealt < count; ++k, ++dealt) ++sides[remainders[k % remainders.size()].second].points;
+}
+
+std::vector<EmitterPoint> pointsOf(const std::vector<Side>& sides)
+{
+    std::vector<EmitterPoint> points;
+    for (const Side& side : sides)
+        for (unsigned k = 0; k < side.points; ++k) {
+            EmitterPoint point = pointAt(side, (k + 0.5) / side.points, std::fmod(k * golden + 0.5, 1.0));
+            point.area = side.light->area / side.points;
+            point.power = side.light->radiance * point.area;
+            points.push_back(point);
+        }
+    return points;
+}
+
+uint64_t mortonCode(const osg::Vec3d& unit)
+{
+    uint64_t code = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto cell = uint64_t(std::clamp(unit[axis], 0.0, 1.0) * 1023.0);
+        for (int bit = 0; bit < 10; ++bit) code |= (cell >> bit & 1) << (3 * bit + axis);
+    }
+    return code;
+}
+
+// Neighbours side by side.
+void sortByPlace(std::vector<Side>& sides)
+{
+    osg::BoundingBoxd box;
+    for (const Side& side : sides) box.expandBy(side.light->center);
+    const osg::Vec3d size = box._max - box._min;
+    const double longest = std::max({size[0], size[1], size[2], 1e-300});
+    std::stable_sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) {
+        return mortonCode((a.light->center - box._min) / longest) < mortonCode((b.light->center - box._min) / longest);
+    });
+}
+
+std::vector<EmitterPoint> pointsOfMany(std::vector<Side> sides, unsigned count)
+{
+    sortByPlace(sides);
+    const double total = std::accumulate(sides.begin(), sides.end(), 0.0, [](double sum, const Side& s) { return sum + s.flux; });
+    std::vector<EmitterPoint> points;
+    double before = 0.0;
+    for (const Side& side : sides) {
+        before += side.flux;
+        // The next of `count` even steps through all flux that end within this side's.
+        while (points.size() < count && (double(points.size()) + 0.5) / count * total < before) {
+            const auto k = double(points.size());
+            EmitterPoint point = pointAt(side, std::fmod(k * golden + 0.5, 1.0), std::fmod(k * golden * golden + 0.25, 1.0));
+            point.area = side.light->area;
+            point.power = side.light->radiance * (side.light->area * total / (count * side.flux));
+            points.push_back(point);
+        }
+    }
+    return points;
+}
+
+}  // namespace
+
+std::vector<EmitterPoint> emitterPoints(const std::vector<Emitter>& lights, unsigned count)
+{
+    std::vector<Side> sides = litSides(lights);
+    std::vector<EmitterPoint> points;
+    if (sides.size() > count) {
+        points = pointsOfMany(sides, count);
+    } else if (!sides.empty()) {
+        deal(sides, count);
+        points = pointsOf(sides);
+    }
+    const EmitterPoint dark{osg::Vec3d(), osg::Vec3d(0, 0, 1), osg::Vec3d(), 1.0};
+    points.resize(count, dark);
+    return points;
+}
+
+}  // namespace osgEnvLight

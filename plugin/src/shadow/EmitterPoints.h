@@ -1,0 +1,30 @@
+/* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
+#pragma once
+
+#include "surface/Emitter.h"
+
+#include <vector>
+
+namespace osgEnvLight
+{
+
+/** A point that stands for a part of an area light, or for several small lights. */
+struct EmitterPoint {
+    osg::Vec3d position;
+    osg::Vec3d normal;  // unit, of the side that sends light
+    osg::Vec3d power;   // radiance times the part's area
+    double area = 0.0;  // of the part
+
+    bool operator==(const EmitterPoint& o) const
+    {
+        return position == o.position && normal == o.normal && power == o.power && area == o.area;
+    }
+};
+
+/** Points of all lights together, dealt by flux, at least one to each lit side: a golden lattice on each light [area-lights.md 3,
+ * "Pattern"]. Where there are more sides than points, a point stands for neighbours, which it finds in Morton order,
+ * systematically by their flux [area-lights.md 3, "Many lights"]. The points of a light are side by side.
+ * @param count  of the points; dark ones fill up where no light is lit */
+OSGENVLIGHT_EXPORT std::vector<EmitterPoint> emitterPoints(const std::vector<Emitter>& lights, unsigned count);
+
+}  // namespace osgEnvLight
