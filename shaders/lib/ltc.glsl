@@ -59,6 +59,15 @@ vec3 toCosineLobe(Ltc lobe, vec3 p)
     return vec3(lobe.inverse.x * p.x + lobe.inverse.y * p.z, p.y, lobe.inverse.z * p.x + lobe.inverse.w * p.z);
 }
 
+// The fitted lobe's density per solid angle in the unit direction l above the horizon: of a light so small that it is the same all over it.
+float ltcDensity(Ltc lobe, vec3 l)
+{
+    vec3 w = toCosineLobe(lobe, l);
+    float square = dot(w, w);
+    float determinant = abs(lobe.inverse.x * lobe.inverse.w - lobe.inverse.y * lobe.inverse.z);
+    return INV_PI * max(w.z, 0.0) * determinant / (square * square * (1.0 - lobe.leak));
+}
+
 float ltcShareOf(Ltc lobe, float formFactor)
 {
     return min(formFactor / (1.0 - lobe.leak), 1.0);

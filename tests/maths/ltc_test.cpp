@@ -320,3 +320,19 @@ TEST(ltc, TheTextureIsLinearAndClamped)
     EXPECT_EQ(table->getWrap(osg::Texture::WRAP_T), osg::Texture::CLAMP_TO_EDGE);
     EXPECT_EQ(table->getImage()->s(), osgEnvLight::ltcSide);
 }
+
+// In all directions above the horizon: a small light's share over its solid angle.
+TEST(ltc, DensityIsTheShareOfSmallLights)
+{
+    Random random(8);
+    const double size = 1e-3;  // of its second derivatives a lobe of roughness .2 feels 1e-3
+    for (int i = 0; i < 200; ++i) {
+        const Ltc lobe = lobeOf(random.uniform(0.2, 1.0), random.uniform(0.0, 80.0));
+        vec3 l = random.direction();
+        l.z = std::abs(l.z) + 0.01;
+        l = glsl::normalize(l);
+        const vec3 x = glsl::normalize(glsl::cross(-l, vec3(0.3, 0.5, 0.7)));
+        const double share = glsl::ltcRectangle(lobe, l, size * x, size * glsl::cross(-l, x));
+        EXPECT_NEAR(share, glsl::ltcDensity(lobe, l) * 4.0 * size * size, 2e-3 * share);
+    }
+}
