@@ -27,7 +27,7 @@ void main()
     for (int y = from.y + stride.y / 2; y < to.y; y += stride.y)
         for (int x = from.x + stride.x / 2; x < to.x; x += stride.x) {
             ivec2 p = ivec2(x, y);
-            if (isBackground(p)) continue;
+            if (isBackground(p) || isAreaLight(p)) continue;
             float blocked = 1.0 - ambientVisibility(p);
             float weight = blocked + 0.05;
             vec3 radiance = emitted(p) + sunShaded(p) + occludedDiffuse(p);

@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: MIT
 // First surface from a light: its depth and slope. Second surface: the depth of the nearest that is not the first. Alpha goes
 // out for the fixed-function alpha test.
-#pragma import_defines(CASTER_ALPHA, CASTER_BLENDED, CASTER_SECOND, NO_TEXTURE, TEXTURE_REPLACE, VERTEX_COLOR)
+#pragma import_defines(CASTER_ALPHA, CASTER_BLENDED, CASTER_PERSPECTIVE, CASTER_SECOND, NO_TEXTURE, TEXTURE_REPLACE, VERTEX_COLOR)
 
-#include "lib/atlas.glsl"
+#include "lib/emittermap.glsl"
 #include "lib/sequence.glsl"
 
 #ifdef CASTER_SECOND
 uniform sampler2D firstDepthMap;
+#endif
+#ifdef CASTER_PERSPECTIVE
+uniform float mapTexel;  // its width at distance 1
 #endif
 #if defined(CASTER_ALPHA) && !defined(NO_TEXTURE)
 uniform sampler2D baseColorMap;
@@ -53,7 +56,13 @@ void main()
     alpha = 1.0;
 #endif
 #ifdef CASTER_SECOND
-    if (gl_FragCoord.z <= texelFetch(firstDepthMap, ivec2(gl_FragCoord.xy), 0).r + ATLAS_STEP) discard;
+    float first = texelFetch(firstDepthMap, ivec2(gl_FragCoord.xy), 0).r;
+#ifdef CASTER_PERSPECTIVE
+    float step = EMITTER_MAP_STEP * mapTexel * (1.0 - first);
+#else
+    float step = ATLAS_STEP;
+#endif
+    if (gl_FragCoord.z <= first + step) discard;
     surface = vec4(0.0, gl_FrontFacing ? 0.0 : 1.0, 0.0, alpha);
 #else
     vec2 gradient = -vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z)); // heights are one less depths

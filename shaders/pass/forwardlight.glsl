@@ -4,12 +4,14 @@
 // what its four know; of each sun's disc eight points.
 #ifndef FORWARDLIGHT_GLSL
 #define FORWARDLIGHT_GLSL
-#pragma import_defines(HAS_COATS, HAS_ANISOTROPY, HAS_EDGES, HAS_ROUGH_DIFFUSE, HAS_SPECULAR, HAS_SUNS, SUN_DIFFUSE, HAS_ATLAS, HAS_SUN_MAPS, HAS_BOUNCE, HAS_SCENE_LIGHTS)
+#pragma import_defines(HAS_COATS, HAS_ANISOTROPY, HAS_EDGES, HAS_ROUGH_DIFFUSE, HAS_SPECULAR, HAS_SUNS, SUN_DIFFUSE, HAS_ATLAS, HAS_SUN_MAPS, HAS_BOUNCE, HAS_SCENE_LIGHTS, HAS_AREA_LIGHTS)
 
+#include "lib/atlas.glsl"
 #include "lib/frame.glsl"
 #include "lib/limits.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/roughdiffuse.glsl"
+#include "lib/scenelight.glsl"
 #include "lib/sequence.glsl"
 #include "lib/tone.glsl"
 #include "pass/albedo.glsl"
@@ -32,6 +34,10 @@ uniform mat4 sunsFromEye;
 #endif
 #ifdef HAS_SCENE_LIGHTS
 #include "pass/scenelights.glsl"
+#endif
+#ifdef HAS_AREA_LIGHTS
+#include "pass/emitterpoints.glsl"
+uniform mat4 emittersFromEye;
 #endif
 #include "pass/display.glsl"
 
@@ -238,6 +244,38 @@ void addSceneLights(Surface s, Layers layers, inout vec3 glint, inout vec3 diffu
 }
 #endif
 
+#ifdef HAS_AREA_LIGHTS
+// The same of the area lights, by all of their points: no pixel has neighbours whose points it could share.
+void addAreaLights(Surface s, Layers layers, inout vec3 glint, inout vec3 diffuse)
+{
+    mat3 worldFromEye = mat3(emittersFromEye);
+    vec3 point = vec3(emittersFromEye * vec4(s.position, 1.0));
+    vec3 normal = worldFromEye * s.normal;
+    mat3 eyeFromLocal = frameOf(s);
+    vec3 v = localView(s.ray, eyeFromLocal);
+#ifdef HAS_COATS
+    mat3 eyeFromCoat = frameAround(s.coatNormal);
+    vec3 coatView = localView(s.ray, eyeFromCoat);
+#endif
+    int count = textureSize(emitterPointMap, 0).x;
+    for (int i = 0; i < count; ++i) {
+        EmitterPoint e = emitterPoint(i);
+        vec3 to = e.position - point;
+        float kernel = emitterKernel(e, to, normal);
+        if (kernel <= 0.0 || emitterSees(e, point, normal) < 0.5) continue;
+        vec3 direction = normalize(to);
+        vec3 light = e.power * (kernel / dot(normal, direction));
+        direction = direction * worldFromEye;
+        vec3 l = direction * eyeFromLocal;
+        diffuse += light * lightLambert(diffuseOfDirection(s, layers, direction), l);
+        glint += light * lightLobe(layers.base, v, l);
+#ifdef HAS_COATS
+        glint += light * lightLobe(layers.coat, coatView, direction * eyeFromCoat);
+#endif
+    }
+}
+#endif
+
 #ifdef HAS_SPECULAR
 // What the lobe sends to the eye of the map, over its albedo. Half of a GGX lobe's energy lies within a cone of about tan = alpha.
 vec3 mirrored(Bsdf b, vec3 ray, vec3 normal)
@@ -287,6 +325,9 @@ vec4 forwardColor(Surface s)
     vec3 sceneGlint = vec3(0.0);
 #ifdef HAS_SCENE_LIGHTS
     addSceneLights(s, layers, sceneGlint, diffuse);
+#endif
+#ifdef HAS_AREA_LIGHTS
+    addAreaLights(s, layers, sceneGlint, diffuse);
 #endif
     if (s.brdf != BRDF_LAMBERT) {
         vec3 glint = sceneGlint;

@@ -4,6 +4,7 @@
 
 #include "lib/anisotropy.glsl"
 #include "lib/frame.glsl"
+#include "lib/limits.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/roughdiffuse.glsl"
 #include "pass/surface.glsl"
@@ -43,4 +44,7 @@ void main()
 #endif
     specular.a = float(kind) / 65535.0;
     emission = vec4(s.emission * exp2(-emittedStops), min(s.bulge, 0.49));  // in the units of display(), as emitted() has it
+#ifdef ENVLIGHT_LIGHT
+    emission.a = LIGHT_MARK;
+#endif
 }

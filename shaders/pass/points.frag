@@ -1,14 +1,17 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// The map and the suns light the surface points, of which each texel is one [indirect2.md 6]. The colour is the irradiance over pi, in units
+// The map, the suns and area lights light the surface points, of which each texel is one [indirect2.md 6]. The colour is the irradiance over pi, in units
 // of the map's mean; alpha is the share of the map's directions that the point sees.
-#pragma import_defines(HAS_SUN_MAPS)
+#pragma import_defines(HAS_SUN_MAPS, HAS_AREA_LIGHTS)
 
 #include "lib/constants.glsl"
 #include "lib/limits.glsl"
 #include "pass/atlas.glsl"
 #ifdef HAS_SUN_MAPS
 #include "pass/sunshadow.glsl"
+#endif
+#ifdef HAS_AREA_LIGHTS
+#include "pass/emitterpoints.glsl"
 #endif
 
 uniform sampler2D pointPlaceMap;
@@ -19,6 +22,11 @@ uniform int pointTurn;       // which one
 uniform float pointLift;     // off their surfaces, which the suns' maps show more finely
 #ifdef HAS_SUN_MAPS
 uniform vec3 pointsInSunMaps;
+#endif
+
+#ifdef HAS_AREA_LIGHTS
+uniform vec3 pointsInEmitterMaps;
+uniform float radianceScale;
 #endif
 
 layout(location = 0) out vec4 light;
@@ -33,6 +41,21 @@ vec3 sunLight(vec3 place, vec3 n)
         if (e > 0.0) sum += e * sunSeen(i, s, 4).x * sunRadiance[i];
     }
     return sum;
+}
+#endif
+
+#ifdef HAS_AREA_LIGHTS
+// Of all their points.
+vec3 areaLight(vec3 place, vec3 n)
+{
+    vec3 sum = vec3(0.0);
+    int count = textureSize(emitterPointMap, 0).x;
+    for (int i = 0; i < count; ++i) {
+        EmitterPoint e = emitterPoint(i);
+        float kernel = emitterKernel(e, e.position - place - pointsInEmitterMaps, n);
+        if (kernel > 0.0) sum += kernel * emitterSees(e, place + pointsInEmitterMaps, n) * e.power;
+    }
+    return sum / radianceScale;
 }
 #endif
 
@@ -59,6 +82,9 @@ void main()
     vec3 overPi = sum * INV_PI;
 #ifdef HAS_SUN_MAPS
     overPi += sunLight(place, n);
+#endif
+#ifdef HAS_AREA_LIGHTS
+    overPi += areaLight(place, n);
 #endif
     light = vec4(overPi, all > 0.0 ? seen / all : 1.0);
 }

@@ -3,7 +3,9 @@
 // What glossy surfaces show of the picture, first part: one ray a pixel [indirect2.md 3, 6]. A narrow lobe's ray goes in the mirror
 // direction; in wider lobes each pixel of a 4x4 cell takes another direction. Rays read this frame's picture, in which the lobes
 // still show the mean radiance of what blocks light. No earlier frame is read, so nothing trails behind what moves.
+#pragma import_defines(HAS_AREA_LIGHTS)
 #include "lib/frame.glsl"
+#include "lib/limits.glsl"
 #include "lib/march.glsl"
 #include "lib/sequence.glsl"
 #include "pass/gbuffer.glsl"
@@ -11,6 +13,9 @@
 #include "pass/toplobe.glsl"
 
 uniform sampler2D radianceMap;
+#ifdef HAS_AREA_LIGHTS
+uniform sampler2D emissionMap;
+#endif
 uniform float sceneRadius;
 uniform int reflectionSteps;
 
@@ -35,11 +40,20 @@ vec3 lobeDirection(Bsdf b, vec3 v, int group)
     return 2.0 * dot(v, h) * h - v;
 }
 
+// What a pixel of the picture sends. What lobes reflect of an area light is known, whether the picture shows the light or not.
+vec3 sentRadiance(ivec2 p)
+{
+#ifdef HAS_AREA_LIGHTS
+    if (abs(texelFetch(emissionMap, p, 0).a - LIGHT_MARK) < 0.1) return vec3(0.0);
+#endif
+    return texelFetch(radianceMap, p, 0).rgb;
+}
+
 // Mean of the picture over the cone about a ray that meets a surface. It takes the pixel and, of 8 points of a spiral about it, those that
 // lie on the same surface. tangent: of the cone's half-angle.
 vec3 coneRadiance(ScreenHit hit, float tangent)
 {
-    vec3 sum = texelFetch(radianceMap, hit.pixel, 0).rgb;
+    vec3 sum = sentRadiance(hit.pixel);
     vec2 ndc = pixelNdc(hit.pixel);
     float depth = texelFetch(depthMap, hit.pixel, 0).r;
     float radius = tangent * hit.distance / pixelFootprint(inverseProjection, ndc, depth, viewportSize);
@@ -51,7 +65,7 @@ vec3 coneRadiance(ScreenHit hit, float tangent)
         ivec2 q = hit.pixel + ivec2(round(radius * sqrt((float(i) + 1.0) / 8.0) * vec2(cos(angle), sin(angle))));
         q = clamp(q, ivec2(0), ivec2(viewportSize) - 1);
         float w = abs(planeDistance(plane, q, texelFetch(depthMap, q, 0).r)) < 1.0 ? 1.0 : 0.0;
-        sum += w * texelFetch(radianceMap, q, 0).rgb;
+        sum += w * sentRadiance(q);
         count += w;
     }
     return sum / count;

@@ -3,7 +3,7 @@
 // and of vertices, and of images without floats, are sRGB encoded; those of our Material are linear.
 #ifndef SURFACE_GLSL
 #define SURFACE_GLSL
-#pragma import_defines(HAS_SUN_MAPS, ENVLIGHT_COOK_TORRANCE, ENVLIGHT_LAMBERT, ENVLIGHT_PHONG, ENVLIGHT_STRAUSS, FACE_NORMAL, VERTEX_COLOR, UNLIT, NO_TEXTURE, LINEAR_TEXTURE, ALPHA_TEXTURE, TEXTURE_REPLACE, TEXTURE_DECAL, TEXTURE_BLEND, TEXTURE_ADD, PAINTED_REFLECTION, PHONG_MATERIAL, TWO_SIDED, ENVLIGHT_EMISSION, ENVLIGHT_DIELECTRIC, ENVLIGHT_COAT, ENVLIGHT_ANISOTROPY, ENVLIGHT_EDGE, ENVLIGHT_ROUGH_DIFFUSE, WHITE)
+#pragma import_defines(HAS_SUN_MAPS, ENVLIGHT_COOK_TORRANCE, ENVLIGHT_LAMBERT, ENVLIGHT_PHONG, ENVLIGHT_STRAUSS, FACE_NORMAL, VERTEX_COLOR, UNLIT, NO_TEXTURE, LINEAR_TEXTURE, ALPHA_TEXTURE, TEXTURE_REPLACE, TEXTURE_DECAL, TEXTURE_BLEND, TEXTURE_ADD, PAINTED_REFLECTION, PHONG_MATERIAL, TWO_SIDED, ENVLIGHT_EMISSION, ENVLIGHT_DIELECTRIC, ENVLIGHT_COAT, ENVLIGHT_ANISOTROPY, ENVLIGHT_EDGE, ENVLIGHT_ROUGH_DIFFUSE, ENVLIGHT_LIGHT, WHITE)
 
 #include "lib/brdfs.glsl"
 #include "lib/bulge.glsl"
@@ -56,6 +56,9 @@ uniform float envlightExponent;
 
 #ifdef ENVLIGHT_EMISSION
 uniform vec3 envlightEmission;
+#endif
+#ifdef ENVLIGHT_LIGHT
+uniform vec3 envlightLight;  // radiance
 #endif
 
 in vec3 eyePosition;
@@ -194,6 +197,9 @@ Surface readSurface()
     emission *= mappedEmission();
 #endif
     s.emission = emission * (materialColors == 0 ? exp2(emittedStops) : 1.0);
+#endif
+#ifdef ENVLIGHT_LIGHT
+    s.emission = envlightLight;
 #endif
     vec4 material = host.diffuse;
 #if defined(ENVLIGHT_COOK_TORRANCE) || defined(ENVLIGHT_STRAUSS)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Writes a few small valid files of every kind into FOLDER/exr, FOLDER/hdr, FOLDER/json and FOLDER/gltf, for the fuzzers to start from.
+// Writes a few small valid files of every kind into FOLDER/exr, FOLDER/hdr, FOLDER/json and FOLDER/gltf, for the fuzzers to start
+// from.
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -135,7 +136,10 @@ void writeJsons(const fs::path& folder)
                       "floor": {"brdf": "phong", "diffuse": [0.5, 0.5, 0.5], "specular": [0.04, 0.04, 0.04], "exponent": 200},
                       "wall": {"brdf": "lambert", "diffuse": [0.8, 0.8, 0.8]}},
         "settings": {"diffuseLights": 128, "combine": "ratio", "occlusion": true},
-        "lights": []})";
+        "lights": [{"shape": "rectangle", "center": [0, 0, 3], "u": [1, 0, 0], "v": [0, -0.5, 0], "radiance": [10, 9, 7]},
+                   {"shape": "sphere", "name": "bulb", "center": [2, 0, 1], "radius": 0.1, "flux": [5, 5, 5], "visible": false},
+                   {"shape": "disc", "center": [0, 0, 1], "normal": [0, 0, 1], "radius": 1, "radiance": [1, 1, 1], "twoSided": true},
+                   {"shape": "polygon", "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "radiance": [1, 1, 1]}]})";
     std::ofstream(folder / "model.json") << R"({"model": "a.obj"})";
     std::ofstream(folder / "camera.json") << R"({"eye": [1, 2, 3], "target": [0, 0, 0], "up": [0, 0, 1], "fovy": 30})";
     std::ofstream(folder / "lights.json") << R"({"map": "a.exr", "sampler": "auto", "seed": 1, "residual": "b.exr", "stats": {},
@@ -148,7 +152,8 @@ void writeGltfs(const fs::path& folder)
     // A triangle of floats; whatever else is read of the buffer are its zeros and ones.
     const std::string bytes = "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAABAAIAAAAAAAAAAAAAAAAAAAAAAAAA";
     std::ofstream(folder / "surface.gltf") << R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
- "buffers": [{"byteLength": 60, "uri": "data:;base64,)" << bytes << R"("}],
+ "buffers": [{"byteLength": 60, "uri": "data:;base64,)"
+                                           << bytes << R"("}],
  "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24}],
  "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
   {"bufferView": 1, "componentType": 5123, "count": 3, "type": "SCALAR"},
@@ -164,8 +169,8 @@ void writeGltfs(const fs::path& folder)
   "targets": [{"POSITION": 0}]}]}],
  "extensions": {"KHR_lights_punctual": {"lights": [{"type": "spot", "intensity": 3, "spot": {"outerConeAngle": 0.5}}]}},
  "nodes": [{"mesh": 0, "extensions": {"KHR_lights_punctual": {"light": 0}}}]})";
-    std::ofstream(folder / "motion.gltf") << R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 60, "uri": "data:;base64,)"
-                                          << bytes << R"("}],
+    std::ofstream(folder / "motion.gltf")
+        << R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 60, "uri": "data:;base64,)" << bytes << R"("}],
  "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24}],
  "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
   {"bufferView": 1, "byteOffset": 12, "componentType": 5121, "count": 3, "type": "VEC4"},

@@ -3,6 +3,8 @@
 #include <OnScreen.h>
 #include <SceneRenderer.h>
 
+#include <osgEnvLight/AreaLight>
+
 #include <osg/GLObjects>
 #include <osgViewer/CompositeViewer>
 
@@ -14,7 +16,7 @@ using osgEnvLight::Settings;
 namespace
 {
 
-// The built-in sky, whose sun throws a box's shadow on a floor.
+// The built-in sky, whose sun throws a box's shadow on a floor, and a lamp.
 osg::ref_ptr<LitScene> makeSunny()
 {
     osg::ref_ptr<LitScene> lit = new LitScene;
@@ -24,6 +26,11 @@ osg::ref_ptr<LitScene> makeSunny()
     lit->getSettings()->sunShadowSize = 128;
     lit->addChild(makeQuad(osg::Vec3d(-2, -2, 0), osg::Vec3d(4, 0, 0), osg::Vec3d(0, 4, 0)));
     lit->addChild(makeBox(osg::Vec3d(-0.5, -0.5, 0), osg::Vec3d(0.5, 0.5, 1)));
+    lit->getSettings()->areaPoints = 16;
+    lit->getSettings()->areaMapSize = 32;
+    const osg::ref_ptr<osgEnvLight::AreaLight> lamp = new osgEnvLight::AreaLight;
+    lamp->setSphere(osg::Vec3d(-1, -1, 1.5), 0.2);
+    lit->addChild(lamp);
     return lit;
 }
 

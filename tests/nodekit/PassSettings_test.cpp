@@ -6,6 +6,7 @@
 #include <SceneRenderer.h>
 #include <ShaderFolder.h>
 
+#include <osgEnvLight/AreaLight>
 #include <osgEnvLight/Material>
 
 #include <osg/Material>
@@ -137,11 +138,13 @@ osg::ref_ptr<WatchedScene> makeScene()
     glass->getOrCreateStateSet()->setAttribute(clear);
     glass->getOrCreateStateSet()->setMode(GL_BLEND, osg::StateAttribute::ON);
     lit->addChild(glass);
+    lit->addChild(new osgEnvLight::AreaLight);
     return lit;
 }
 
 // Not in a state graph: what the shadow maps draw with, and the bounces.
-const Names ofShadowMaps = {"pass/caster.frag", "pass/caster.vert", "pass/midpoint.frag", "pass/sunmap.frag"};
+const Names ofShadowMaps = {"pass/caster.frag", "pass/caster.vert", "pass/emittermap.frag", "pass/midpoint.frag",
+                            "pass/sunmap.frag"};
 const Names ofBounces = {"pass/pointradiance.frag", "pass/probeharmonics.frag", "pass/probes.frag"};
 
 }  // namespace

@@ -14,6 +14,7 @@ const std::vector<Settings::Preset>& Settings::presets()
           {"filterCells", "1"},
           {"specularMethod", "prefiltered"},
           {"sunShadowSize", "512"},
+          {"areaPoints", "32"},
           {"bounce", "mean"}}},
         {"default", "the knee of error against time", {}},
         {"high",

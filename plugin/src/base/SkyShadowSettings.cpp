@@ -17,7 +17,8 @@ std::vector<SettingsProperty> SkyShadowSettings::properties()
                "lights of the map that have a shadow map, a sixteenth of them in each pixel; rounded up to a multiple of 16"),
         number("atlasSize", &S::atlasSize, 16, 512, "texels", "side of each shadow map of the atlas"),
         number("atlasUpdatesPerFrame", &S::atlasUpdatesPerFrame, 1, 1024, "maps per frame",
-               "shadow maps drawn again each frame while the scene or the map changes; with regeneration = immediate, all"),
+               "shadow maps of the sky, and as many of area lights, drawn again each frame while the scene, the map or the "
+               "lights change; with regeneration = immediate, all"),
     };
 }
 

@@ -145,7 +145,7 @@ bool Accumulation::Key::operator==(const Key& o) const
 {
     return view == o.view && sameProjection(projection, o.projection) && mapFromWorld == o.mapFromWorld &&
            radianceScale == o.radianceScale && settings == o.settings && background == o.background && lights == o.lights &&
-           textures == o.textures && viewport == o.viewport && surfaces == o.surfaces;
+           areaLights == o.areaLights && textures == o.textures && viewport == o.viewport && surfaces == o.surfaces;
 }
 
 void Accumulation::advance(const Key& key, bool still, const RadianceMap& map)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lights/MapSequence.h"
+#include "surface/Emitter.h"
 #include "surface/SceneLights.h"
 #include <osgEnvLight/Settings>
 
@@ -36,6 +37,7 @@ class OSGENVLIGHT_EXPORT Accumulation : public osg::Referenced
         double radianceScale = 0.0;
         osg::ref_ptr<const Settings> settings;
         SceneLightList lights;
+        std::vector<Emitter> areaLights;
         int background = 0;                          // that settings.background comes to
         osg::ref_ptr<const osg::Viewport> viewport;  // another one for another size
         osg::ref_ptr<const osg::Referenced> textures;

@@ -8,6 +8,7 @@
 #include "frame/SceneFacts.h"
 #include "gl/ShaderLibrary.h"
 #include "lights/MapTextures.h"
+#include "shadow/EmitterMaps.h"
 #include "shadow/ShadowAtlas.h"
 #include "shadow/SunShadows.h"
 
@@ -32,7 +33,7 @@ struct FrameContext {
     osgUtil::RenderStage& host;
     FrameResources& frame;
     const Settings& settings;
-    MapTextures& textures;
+    osg::ref_ptr<MapTextures> textures;
     GBuffer& gbuffer;
     ShaderLibrary& shaders;
     AtlasLights& atlasLights;
@@ -49,6 +50,7 @@ struct FrameContext {
     DepthConvention depth = {};  // the host's
     std::vector<Caster> casters = {};
     SceneLightList lights = {};                // of the application that are switched on
+    std::vector<Emitter> areaLights = {};      // in the world
     int background = Settings::BACKGROUND_ON;  // never AUTO
     std::string behind = {};                   // what is behind the scene, in words
     bool showsNothing = false;                 // of the scene there is: its shadow maps are kept for when it does
@@ -57,18 +59,20 @@ struct FrameContext {
     Decisions decisions = {};
 
     // Set in update(), by the passes that own them.
-    ShadowAtlas* skyMaps = nullptr;        // of the map's lights; null: there is no atlas
-    ShadowAtlas* nearSkyMaps = nullptr;    // of the same lights, about the view; null: skyMaps are fine enough
-    DepthProbe* probe = nullptr;           // is to measure in this frame what the view shows
-    unsigned waitingMaps = 0;              // of the sky, to be drawn in later frames
-    IndirectLight* indirect = nullptr;     // by probes; null: there are none
-    unsigned waitingBounces = 0;           // further frames would change what surfaces send each other
-    SunShadows* sunMaps = nullptr;         // null: suns have none
-    unsigned drawnSunMaps = 0;             // in this frame
-    const Accumulation* still = nullptr;   // null where none was asked for
-    ShadowAtlas* stillMaps = nullptr;      // of the lights of a frame of its average
-    ShadowAtlas* stillNearMaps = nullptr;  // of the same lights, about the view
-    osg::Vec2d subpixel = {};              // shift of the picture in clip space over w
+    ShadowAtlas* skyMaps = nullptr;           // of the map's lights; null: there is no atlas
+    ShadowAtlas* nearSkyMaps = nullptr;       // of the same lights, about the view; null: skyMaps are fine enough
+    DepthProbe* probe = nullptr;              // is to measure in this frame what the view shows
+    unsigned waitingMaps = 0;                 // of the sky, to be drawn in later frames
+    IndirectLight* indirect = nullptr;        // by probes; null: there are none
+    unsigned waitingBounces = 0;              // further frames would change what surfaces send each other
+    EmitterMaps* emitterMaps = nullptr;       // of the area lights' points; null: nothing hides them
+    osg::Texture2D* emitterPoints = nullptr;  // EmitterMaps::pointImage()
+    SunShadows* sunMaps = nullptr;            // null: suns have none
+    unsigned drawnSunMaps = 0;                // in this frame
+    const Accumulation* still = nullptr;      // null where none was asked for
+    ShadowAtlas* stillMaps = nullptr;         // of the lights of a frame of its average
+    ShadowAtlas* stillNearMaps = nullptr;     // of the same lights, about the view
+    osg::Vec2d subpixel = {};                 // shift of the picture in clip space over w
 
     int width() const { return int(viewport->width()); }
     int height() const { return int(viewport->height()); }

@@ -114,18 +114,20 @@ osg::StateSet& FrameResources::atlasState(const std::string& name, const ShadowA
     return *state;
 }
 
-osg::StateSet& FrameResources::pointState(const osg::Vec3d& inAtlas, const osg::Vec3d& inSunMaps, int rows, int turn, double lift)
+osg::StateSet& FrameResources::pointState(const PointPlaces& places, int rows, int turn, double lift)
 {
     if (!_pointState) {
         _pointState = new osg::StateSet;
         _pointState->addUniform(new osg::Uniform("pointsInAtlas", osg::Vec3()));
         _pointState->addUniform(new osg::Uniform("pointsInSunMaps", osg::Vec3()));
+        _pointState->addUniform(new osg::Uniform("pointsInEmitterMaps", osg::Vec3()));
         _pointState->addUniform(new osg::Uniform("pointRows", rows));
         _pointState->addUniform(new osg::Uniform("pointTurn", turn));
         _pointState->addUniform(new osg::Uniform("pointLift", 0.0f));
     }
-    _pointState->getUniform("pointsInAtlas")->set(osg::Vec3(inAtlas));
-    _pointState->getUniform("pointsInSunMaps")->set(osg::Vec3(inSunMaps));
+    _pointState->getUniform("pointsInAtlas")->set(osg::Vec3(places.inAtlas));
+    _pointState->getUniform("pointsInSunMaps")->set(osg::Vec3(places.inSunMaps));
+    _pointState->getUniform("pointsInEmitterMaps")->set(osg::Vec3(places.inEmitterMaps));
     _pointState->getUniform("pointRows")->set(rows);
     _pointState->getUniform("pointTurn")->set(turn);
     _pointState->getUniform("pointLift")->set(float(lift));

@@ -64,9 +64,12 @@ class OSGENVLIGHT_EXPORT FrameResources : public osg::Referenced
      * @param name  of the atlas
      * @param near  the atlas of the same lights about the view, or null */
     osg::StateSet& atlasState(const std::string& name, const ShadowAtlas& atlas, const ShadowAtlas* near);
-    /** Uniforms of pass/points.frag: where the points' origin lies about those of the shadow maps, which rows are due, how far
-     * off its surface a point asks the suns' maps. */
-    osg::StateSet& pointState(const osg::Vec3d& inAtlas, const osg::Vec3d& inSunMaps, int rows, int turn, double lift);
+    /** Where the points' origin lies about those of shadow maps. */
+    struct PointPlaces {
+        osg::Vec3d inAtlas, inSunMaps, inEmitterMaps;
+    };
+    /** Uniforms of pass/points.frag: the places, which rows are due, how far off its surface a point asks the suns' maps. */
+    osg::StateSet& pointState(const PointPlaces& places, int rows, int turn, double lift);
     /** Uniforms of pass/indirect.frag. */
     osg::StateSet& probeState(double share);
     /** Uniforms of the application's lights. */

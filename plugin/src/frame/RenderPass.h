@@ -18,8 +18,10 @@ class PassBuilder;
 class OSGENVLIGHT_EXPORT RenderPass : public osg::Referenced
 {
   public:
-    /** Of its shader pass/NAME.frag, its times, its line in the plan. */
+    /** Of its shader pass/NAME.frag, if shader() says no other, its times, its line in the plan. */
     virtual const char* name() const = 0;
+    /** Passes that do the same to other textures share a shader. */
+    virtual const char* shader() const { return name(); }
 
     /** Whether the view needs it in this frame. */
     virtual Requirement require(const FrameContext& context) const = 0;

@@ -21,7 +21,8 @@ bool isNothing(const SceneFacts& f)
 Requirement decideLight(const SceneFacts& f, const Settings& s)
 {
     Requirement light;
-    light.unless(!s.diffuse, "switched off").unless(f.mapIsBlack, "the map is black").unless(isNothing(f), "nothing to light");
+    light.unless(!s.diffuse, "switched off").unless(f.mapIsBlack && f.areaLights == 0, "the map is black");
+    light.unless(isNothing(f), "nothing to light");
     return light.unless(f.carrier.given && f.carrier.lights == 0, "the application's list has no lights");
 }
 
@@ -111,6 +112,11 @@ bool Decisions::wantsAtlas(const Settings& s)
 bool Decisions::wantsSunMaps(const Settings& s)
 {
     return (s.diffuse || s.specular) && s.occlusion && s.visibility != Settings::VISIBILITY_NONE && s.suns != Settings::SUNS_OFF;
+}
+
+bool Decisions::wantsAreaMaps(const Settings& s)
+{
+    return (s.diffuse || s.specular) && s.occlusion && s.visibility != Settings::VISIBILITY_NONE;
 }
 
 Decisions Decisions::make(const SceneFacts& f, const Settings& s)

@@ -22,7 +22,8 @@ struct SceneFacts {
     SunShare suns;             // those cut from the map
     size_t casters = 0;        // drawables that cast shadows, in view or not; 0 where nobody asked
     size_t sceneLights = 0;    // the application's lights that are switched on
-    bool ownGBuffer = true;    // not the application's, of which nobody knows when it changes
+    size_t areaLights = 0;
+    bool ownGBuffer = true;  // not the application's, of which nobody knows when it changes
 
     /** The reason of passes over the G-buffer where it is empty. */
     const char* whyNoneIsDeferred() const;
@@ -46,6 +47,8 @@ struct OSGENVLIGHT_EXPORT Decisions {
     static bool wantsAtlas(const Settings& settings);
     /** The same of the suns' shadow maps. */
     static bool wantsSunMaps(const Settings& settings);
+    /** Whether they leave it to the casters if area lights have shadow maps. */
+    static bool wantsAreaMaps(const Settings& settings);
 };
 
 /** "3 lights", "1 light" */

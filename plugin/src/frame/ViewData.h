@@ -57,7 +57,8 @@ class OSGENVLIGHT_EXPORT ViewData : public osg::Referenced
     bool unsettled = false;    // further frames would change the picture by themselves
     unsigned seenUpdates = 0;  // of the node, at the last cull
     CasterCollector::StateSets casterStates;
-    SceneLightList lateLights;  // of LightSources behind the node in the graph
+    std::vector<Emitter> areaLights;  // of the last cull, in the world
+    SceneLightList lateLights;        // of LightSources behind the node in the graph
 
   protected:
     ~ViewData() override;

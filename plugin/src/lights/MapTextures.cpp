@@ -51,6 +51,21 @@ MapTextures::MapTextures(const RadianceMap* map, const Continuation& former) : M
 
 MapTextures::MapTextures(const MapTextures& former) = default;
 
+osg::ref_ptr<MapTextures> MapTextures::dark()
+{
+    const int width = 64, height = 32;
+    osg::ref_ptr<osg::Image> even = new osg::Image;
+    even->allocateImage(width, height, 1, GL_RGB, GL_FLOAT);
+    std::fill_n(reinterpret_cast<float*>(even->data()), 3 * width * height, 1.0f);
+    MapState state;
+    state.image = even;
+    state.layout = MapLayout::LATLONG;
+    std::string error;
+    osg::ref_ptr<MapTextures> textures = new MapTextures(state.read(error).get());
+    textures->_scale = 0.0;
+    return textures;
+}
+
 void MapTextures::settle()
 {
     if (_diffuseLights || _irradiance) {

@@ -51,6 +51,9 @@ class OSGENVLIGHT_EXPORT MapTextures : public osg::Referenced
     /** The same parts; then settle(). */
     explicit MapTextures(const MapTextures& former);
 
+    /** Of a map without light whose lists stand for all directions alike, as those of an even one. */
+    static osg::ref_ptr<MapTextures> dark();
+
     /** One step of the lists towards the cold ones, of a map that no longer changes. */
     void settle();
     /** Whether they are. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "node/DeferredTechnique.h"
 
+#include "node/DarkMap.h"
 #include "node/HostState.h"
 #include "surface/AlbedoTable.h"
 
@@ -84,11 +85,15 @@ try {
         std::lock_guard<std::mutex> guard(_mutex);
         reportOnce(message, osg::NOTICE);
     });
-    c.facts.sceneLights = c.lights.size();
+    findAreaLights(c, vd, [&](const std::string& message) {
+        std::lock_guard<std::mutex> guard(_mutex);
+        reportOnce(message);
+    });
 
     const bool shows = c.facts.surfaces.deferred + c.facts.surfaces.litForward > 0;
-    const bool needsCarrier = settings->diffuse && !c.facts.mapIsBlack && shows;
-    if ((needsCarrier && Decisions::wantsAtlas(*settings)) || (sunny && shows)) {
+    const bool needsCarrier = settings->diffuse && (!c.facts.mapIsBlack || c.facts.areaLights > 0) && shows;
+    const bool hasAreaMaps = !c.areaLights.empty() && Decisions::wantsAreaMaps(*settings);
+    if ((needsCarrier && Decisions::wantsAtlas(*settings)) || ((sunny || hasAreaMaps) && shows)) {
         CasterCollector collector(cv, c.worldFromEye, vd.casterStates, _facts.get());
         if (settings->bounce == Settings::BOUNCE_PROBES)
             collector.findSentLight(settings->materialColors == Settings::COLORS_SRGB);
@@ -99,6 +104,7 @@ try {
     if (!c.showsNothing) CasterCollector::forgetUnused(vd.casterStates, c.casters);
 
     lock.lock();
+    if (c.facts.mapIsBlack && c.facts.areaLights > 0) darken(c, _darkTextures);
     light(c, vd, needsCarrier);
     for (const ForwardGraph& f : forward) f.bin->addStateGraph(f.graph);
     return true;
@@ -121,7 +127,7 @@ GBuffer* DeferredTechnique::gbufferOf(LitScene& node, LitView& vd)
 FrameContext DeferredTechnique::contextOf(LitScene& node, LitView& vd, const Settings& settings, MapTextures& textures,
                                           GBuffer& gbuffer, osgUtil::CullVisitor& cv, osgUtil::RenderStage& host)
 {
-    FrameContext c{cv,      host, vd.frame(&cv), settings,   textures, gbuffer, *_library, vd.atlasLights, vd.viewport(),
+    FrameContext c{cv,      host, vd.frame(&cv), settings,   &textures, gbuffer, *_library, vd.atlasLights, vd.viewport(),
                    nullptr, this, nullptr,       vd.number()};
     vd.timed = node.isTimed();
     if (vd.timed) c.timer = vd.timer.get();
@@ -141,8 +147,8 @@ FrameContext DeferredTechnique::contextOf(LitScene& node, LitView& vd, const Set
 
 void DeferredTechnique::light(FrameContext& c, LitView& vd, bool needsCarrier)
 {
-    if (needsCarrier) c.facts.carrier = c.textures.carrier();
-    c.facts.suns = c.textures.sunShare();
+    if (needsCarrier) c.facts.carrier = c.textures->carrier();
+    c.facts.suns = c.textures->sunShare();
     c.decisions = Decisions::make(c.facts, c.settings);
     c.albedoTable = albedoTable(c.facts.surfaces.anisotropic());
     vd.graph.run(c);
@@ -271,7 +277,7 @@ void DeferredTechnique::reloadShaders()
 bool DeferredTechnique::hasSettled(const FrameContext& c) const
 {
     const bool converges = c.still && c.still->frames() < unsigned(c.settings.accumulateFrames);
-    return !converges && c.waitingMaps == 0 && c.waitingBounces == 0 && !_regenerator.busy() && c.textures.settled();
+    return !converges && c.waitingMaps == 0 && c.waitingBounces == 0 && !_regenerator.busy() && c.textures->settled();
 }
 
 void DeferredTechnique::countUpdate()

@@ -103,8 +103,9 @@ class OSGENVLIGHT_EXPORT DeferredTechnique : public ContextWatch::Listener
     osg::ref_ptr<SurfaceFacts> _facts;
     osg::ref_ptr<SurfaceSorter> _sorter;
     osg::ref_ptr<Failure> _failure;
-    osg::ref_ptr<MapTextures> _textures;  // null before the first frame, and while the map can't serve
-    MapState _state;                      // that was last asked for
+    osg::ref_ptr<MapTextures> _darkTextures;  // null until a scene under a black map has area lights
+    osg::ref_ptr<MapTextures> _textures;      // null before the first frame, and while the map can't serve
+    MapState _state;                          // that was last asked for
     bool _started = false;
     unsigned _checkedFrame = ~0u;              // all views of a frame see the same light
     unsigned _stillFrames = 0;                 // since the map last changed

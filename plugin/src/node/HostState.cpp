@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "node/HostState.h"
 
+#include "surface/AreaLightPlace.h"
 #include "surface/Backdrop.h"
 
 #include <osg/Camera>
@@ -79,6 +80,19 @@ void chooseBackground(FrameContext& c, const std::vector<ForwardGraph>& forward)
     c.behind = describeBackground(c, forward);
 }
 
+// Where only the view has moved they stay the same to the bit, and so do the textures made of them.
+void findAreaLights(FrameContext& c, ViewData& data, const std::function<void(const std::string&)>& report)
+{
+    std::vector<std::string> problems;
+    c.areaLights = takeEmitters(c.host, c.worldFromEye, &problems);
+    const auto isRounded = [](const Emitter& a, const Emitter& b) { return a.isRounded(b); };
+    const std::vector<Emitter>& former = data.areaLights;
+    if (std::equal(c.areaLights.begin(), c.areaLights.end(), former.begin(), former.end(), isRounded)) c.areaLights = former;
+    data.areaLights = c.areaLights;
+    for (const std::string& problem : problems) report(problem + "; it is left out");
+    c.facts.areaLights = c.areaLights.size();
+}
+
 // A LightSource that comes after the node in the graph is met after the node's cull. So the frame before says that there is one,
 // and the end of this frame's cull says what it is like.
 void findLights(FrameContext& c, ViewData& data, const std::vector<ForwardGraph>& forward,
@@ -99,6 +113,7 @@ void findLights(FrameContext& c, ViewData& data, const std::vector<ForwardGraph>
     c.lights = switchedOn(expected, modes.some);
     for (const SceneLight& l : switchedOn(c.lights, ~modes.all))
         report("light " + l.name + " is switched on for some of the surfaces only, and lights all of them");
+    c.facts.sceneLights = c.lights.size();
     // All that this refers to lives as long as the cull.
     c.frame.gbufferStage->afterCull = [=, host = &c.host, frame = &c.frame, data = &data] {
         const SceneLightList all = findSceneLights(*host, view, withView);

@@ -20,4 +20,8 @@ void chooseBackground(FrameContext& context, const std::vector<ForwardGraph>& fo
 void findLights(FrameContext& context, ViewData& view, const std::vector<ForwardGraph>& forward,
                 const std::function<void(const std::string&)>& report);
 
+/** Find the area lights that the cull has met.
+ * @param report  receives which can not light, and why */
+void findAreaLights(FrameContext& context, ViewData& view, const std::function<void(const std::string&)>& report);
+
 }  // namespace osgEnvLight

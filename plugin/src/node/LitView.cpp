@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "node/LitView.h"
 
+#include "passes/AreaLights.h"
 #include "passes/Indirect.h"
 #include "passes/Lighting.h"
 #include "passes/Occlusion.h"
@@ -20,6 +21,11 @@ LitView::LitView(Failure* failure, RetiredObjects* retired, SurfaceSorter* sorte
     graph.add(gbufferPass);
     graph.add(new PixelMarksPass);
     graph.add(new SceneLightsPass);
+    graph.add(new AreaMapsPass(failure, retired));
+    graph.add(new AreaShadowPass);
+    graph.add(new AreaRowsPass);
+    graph.add(new AreaFilterPass);
+    graph.add(new AreaLightsPass);
     graph.add(new DepthProbePass);
     graph.add(new SkyShadows(failure, retired));
     graph.add(new LinksPass(retired));

@@ -2,6 +2,7 @@
 #include <osgEnvLight/SceneDescription>
 
 #include "base/ReadMessage.h"
+#include "node/SceneAreaLights.h"
 #include "node/SceneMaterials.h"
 
 #include <osgDB/FileNameUtils>
@@ -130,8 +131,7 @@ try {
         for (const auto& [key, value] : table.get().items()) scene.materials.push_back(readMaterial(table[key], key));
     }
     if (v.has("settings")) readSettings(v["settings"], name, scene);
-    if (v.has("lights") && (!j["lights"].is_array() || !j["lights"].empty()))
-        v["lights"].fail("an empty list (area lights are not supported)");
+    if (v.has("lights")) scene.areaLights = readAreaLights(v["lights"]);
     *this = scene;
     return true;
 } catch (const std::exception& e) {
@@ -157,6 +157,7 @@ try {
     osg::ref_ptr<LitScene> lit = new LitScene;
     for (const std::string& m : models) lit->addChild(loadModel(m, local.get(), fileName));
     setMaterials(*lit, materials, fileName);
+    for (const osg::ref_ptr<AreaLight>& light : areaLights) lit->addChild(osg::clone(light.get()));
     EnvironmentMap& environment = *lit->getEnvironmentMap();
     environment.setLayout(layout);
     environment.setStrict(strict);

@@ -155,11 +155,13 @@ PointsPass::Key PointsPass::keyOf(const FrameContext& c)
 {
     Key key;
     key.scene = c.indirect->scene;
-    key.textures = &c.textures;
+    key.textures = c.textures.get();
     key.sky = c.skyMaps;
     key.skyVersion = c.skyMaps->version();
     key.suns = c.sunMaps;
     key.sunsVersion = c.sunMaps ? c.sunMaps->version() : 0;
+    key.emitters = c.emitterMaps;
+    key.emittersVersion = c.emitterMaps ? c.emitterMaps->version() : 0;
     key.reflectances = c.indirect->reflectances;
     key.mapFromWorld = c.mapFromWorld;
     key.radianceScale = c.radianceScale;
@@ -206,7 +208,13 @@ void PointsPass::setup(PassBuilder& b, FrameContext& c)
         readSunMaps(b, c);
         inSunMaps = light.scene->origin - c.sunMaps->targets().origin;
     }
-    b.frameUniforms(&c.frame.pointState(light.scene->origin - c.skyMaps->origin(), inSunMaps, int(light.rows),
+    osg::Vec3d inEmitterMaps;
+    if (c.emitterMaps) {
+        b.define("HAS_AREA_LIGHTS");
+        readEmitterPoints(b, c);
+        inEmitterMaps = light.scene->origin - c.emitterMaps->origin();
+    }
+    b.frameUniforms(&c.frame.pointState({light.scene->origin - c.skyMaps->origin(), inSunMaps, inEmitterMaps}, int(light.rows),
                                         int(c.number % light.rows), 0.5 * c.skyMaps->texel()));
     b.write(b.import("point light", light.targets.pointLight.get()));
     b.drawAlways();

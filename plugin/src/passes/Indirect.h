@@ -69,16 +69,16 @@ class OSGENVLIGHT_EXPORT PointsPass : public RenderPass
   private:
     /** What the points' light depends on. */
     struct Key {
-        osg::ref_ptr<const osg::Referenced> scene, textures, sky, suns, reflectances;
-        unsigned skyVersion = 0, sunsVersion = 0;
+        osg::ref_ptr<const osg::Referenced> scene, textures, sky, suns, emitters, reflectances;
+        unsigned skyVersion = 0, sunsVersion = 0, emittersVersion = 0;
         osg::Matrixd mapFromWorld;
         double radianceScale = 0.0;
 
         bool operator==(const Key& o) const
         {
-            return scene == o.scene && textures == o.textures && sky == o.sky && suns == o.suns &&
-                   reflectances == o.reflectances && skyVersion == o.skyVersion && sunsVersion == o.sunsVersion &&
-                   mapFromWorld == o.mapFromWorld && radianceScale == o.radianceScale;
+            return scene == o.scene && textures == o.textures && sky == o.sky && suns == o.suns && emitters == o.emitters &&
+                   emittersVersion == o.emittersVersion && reflectances == o.reflectances && skyVersion == o.skyVersion &&
+                   sunsVersion == o.sunsVersion && mapFromWorld == o.mapFromWorld && radianceScale == o.radianceScale;
         }
     };
     static Key keyOf(const FrameContext& context);

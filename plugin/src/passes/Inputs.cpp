@@ -41,19 +41,19 @@ void readIrradiance(PassBuilder& b, FrameContext& c)
     if (!c.decisions.light.needed) return;
     if (carrier.lights) {
         b.define("DIFFUSE_LIGHTS");
-        b.bind(c.textures.irradiance(), "irradianceMap");
+        b.bind(c.textures->irradiance(), "irradianceMap");
     } else {
         b.define(carrier.harmonics == 9 ? "DIFFUSE_SH_9" : "DIFFUSE_SH_18");
     }
     // Rough layers ask them about the map's differences between directions, too.
-    if (!carrier.lights || kinds & SurfaceKinds::ROUGH_DIFFUSE) b.uniform(c.textures.harmonics());
+    if (!carrier.lights || kinds & SurfaceKinds::ROUGH_DIFFUSE) b.uniform(c.textures->harmonics());
 }
 
 void readSuns(PassBuilder& b, FrameContext& c)
 {
-    b.define("ONE_SUN", c.textures.suns().size() == 1);
+    b.define("ONE_SUN", c.textures->suns().size() == 1);
     std::vector<osg::ref_ptr<osg::Uniform>> uniforms;
-    c.textures.addSuns(uniforms);
+    c.textures->addSuns(uniforms);
     for (const auto& u : uniforms) b.uniform(u.get());
 }
 
@@ -72,9 +72,15 @@ void readSkyMaps(PassBuilder& b, FrameContext& c, const std::string& name, Shado
         b.define("HAS_NEIGHBOURHOOD");
         b.bind(near->texture(), "finerAtlasMap");
     }
-    b.bind(c.atlasLights.texture(name, maps, near, 1.0 / c.textures.map().mean), "atlasLightMap");
+    b.bind(c.atlasLights.texture(name, maps, near, 1.0 / c.textures->map().mean), "atlasLightMap");
     b.frameUniforms(&c.frame.atlasState(name, maps, near));
     b.shadowOrigin(maps.origin());
+}
+
+void readEmitterPoints(PassBuilder& b, const FrameContext& c)
+{
+    b.bind(c.emitterMaps->targets().texture.get(), "emitterMaps");
+    b.bind(c.emitterPoints, "emitterPointMap");
 }
 
 void readSunMaps(PassBuilder& b, FrameContext& c)
@@ -116,10 +122,10 @@ void readBackground(PassBuilder& b, FrameContext& c)
     b.define("BACKGROUND", c.background != Settings::BACKGROUND_OFF);
     if (c.background == Settings::BACKGROUND_BLUR) {
         b.define("BACKGROUND_BLUR");
-        b.bind(c.textures.pyramid(), "pyramidMap");
+        b.bind(c.textures->pyramid(), "pyramidMap");
         b.settings<BackgroundSettings>();
     }
-    if (c.background == Settings::BACKGROUND_ON) b.bind(c.textures.latlong(), "latlongMap");
+    if (c.background == Settings::BACKGROUND_ON) b.bind(c.textures->latlong(), "latlongMap");
 }
 
 void readPicture(PassBuilder& b, FrameContext& c)

@@ -22,6 +22,8 @@ namespace osgEnvLight
 //   light sums, light places            sums over a group of lights, where they are from
 //   row sums, row places                the same, filtered along rows
 //   occlusion                           their filtered ratio
+//   area sums, area places, area row sums, area row places   the same of the area lights' points
+//   area visibility                     the filtered ratio of these, of the diffuse layer and, alpha, of the lobe
 //   sun points 0 .. 3                   what a pixel's own points see of the suns
 //   sun visibility 0 and 1, penumbrae   how much a pixel sees of them, and the marks of those that must look closer
 //   bounce                              sums of the radiance of what blocks light
@@ -49,6 +51,8 @@ bool readSunVisibility(PassBuilder& builder);
  * @param name  of the atlas
  * @param near  the maps of the same lights about the view, or null */
 void readSkyMaps(PassBuilder& builder, FrameContext& context, const std::string& name, ShadowAtlas& maps, ShadowAtlas* near);
+/** The area lights' points and their shadow maps. */
+void readEmitterPoints(PassBuilder& builder, const FrameContext& context);
 /** The shadow maps of the suns. */
 void readSunMaps(PassBuilder& builder, FrameContext& context);
 /** What pass/terms.glsl reads. */

@@ -35,6 +35,30 @@ const Texel allSeen = {1, 1, 1, 1};
 
 }  // namespace
 
+void writeSums(PassBuilder& b, const char* sums, const char* places)
+{
+    b.write(b.create(sums, packed), noSums);
+    b.write(b.create(places, packed), noPlace);
+}
+
+void filterRows(PassBuilder& b, const char* sums, const char* places, const char* rowSums, const char* rowPlaces)
+{
+    b.readGBuffer();
+    b.read(b.find(sums), "sumsMap");
+    b.read(b.find(places), "placeMap");
+    drawSurfaces(b);
+    writeSums(b, rowSums, rowPlaces);
+}
+
+void filterColumns(PassBuilder& b, const char* rowSums, const char* rowPlaces, TextureId result)
+{
+    b.readGBuffer();
+    b.read(b.find(rowSums), "sumsMap");
+    b.read(b.find(rowPlaces), "placeMap");
+    drawSurfaces(b);
+    b.write(result, allSeen);
+}
+
 Requirement OcclusionPass::require(const FrameContext& c) const
 {
     return c.decisions.occlusion;
@@ -48,7 +72,7 @@ void OcclusionPass::setup(PassBuilder& b, FrameContext& c)
         b.define("HAS_ATLAS");
         readSkyMaps(b, c, "atlas", *c.skyMaps, c.nearSkyMaps);
     } else {
-        b.bind(c.textures.occlusionLights(c.decisions.occlusionLights), "occlusionLightMap");
+        b.bind(c.textures->occlusionLights(c.decisions.occlusionLights), "occlusionLightMap");
     }
     // Beside the atlas it is slices, whatever the method of the screen alone.
     static const char* const methods[] = {"OCCLUSION_SLICES", "OCCLUSION_RAYS", "OCCLUSION_POINTS", "OCCLUSION_HORIZONS",
@@ -56,8 +80,7 @@ void OcclusionPass::setup(PassBuilder& b, FrameContext& c)
     if (c.decisions.screen) b.define(methods[c.decisions.atlas.needed ? Settings::SLICE : c.settings.occlusionMethod]);
     if (c.decisions.screen && c.settings.occlusionSlices < 4) b.define("SLICES_" + std::to_string(c.settings.occlusionSlices));
     drawSurfaces(b);
-    b.write(b.create("light sums", packed), noSums);
-    b.write(b.create("light places", packed), noPlace);
+    writeSums(b, "light sums", "light places");
     if (!occludesLobes(c)) return;
     b.define("HAS_LOBES");
     readLobes(b, c);
@@ -73,14 +96,9 @@ Requirement FilterRowsPass::require(const FrameContext& c) const
 
 void FilterRowsPass::setup(PassBuilder& b, FrameContext& c)
 {
-    b.readGBuffer();
     b.settings<FilterSettings>();
     b.define("COMBINE_SUBTRACT", c.settings.combine == Settings::SUBTRACT);
-    b.read(b.find("light sums"), "sumsMap");
-    b.read(b.find("light places"), "placeMap");
-    drawSurfaces(b);
-    b.write(b.create("row sums", packed), noSums);
-    b.write(b.create("row places", packed), noPlace);
+    filterRows(b, "light sums", "light places", "row sums", "row places");
 }
 
 Requirement FilterPass::require(const FrameContext& c) const
@@ -91,13 +109,9 @@ Requirement FilterPass::require(const FrameContext& c) const
 
 void FilterPass::setup(PassBuilder& b, FrameContext& c)
 {
-    b.readGBuffer();
     b.settings<FilterSettings>();
     b.define("COMBINE_SUBTRACT", c.settings.combine == Settings::SUBTRACT);
-    b.read(b.find("row sums"), "sumsMap");
-    b.read(b.find("row places"), "placeMap");
-    drawSurfaces(b);
-    b.write(b.create("occlusion", ofFirstFrame(c, GL_RGBA16F_ARB)), allSeen);
+    filterColumns(b, "row sums", "row places", b.create("occlusion", ofFirstFrame(c, GL_RGBA16F_ARB)));
     if (c.hasFirstFrame()) b.keepContents();
 }
 

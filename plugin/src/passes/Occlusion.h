@@ -1,6 +1,7 @@
 /* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
 #pragma once
 
+#include "frame/PassBuilder.h"
 #include "frame/RenderPass.h"
 
 namespace osgEnvLight
@@ -32,6 +33,12 @@ class OSGENVLIGHT_EXPORT FilterPass : public RenderPass
     Requirement require(const FrameContext& context) const override;
     void setup(PassBuilder& builder, FrameContext& context) override;
 };
+
+/** What a pass writes whose sums are filtered [pass/lightsums.glsl]. */
+void writeSums(PassBuilder& builder, const char* sums, const char* places);
+/** The filter's two parts, of whose sums these are. */
+void filterRows(PassBuilder& builder, const char* sums, const char* places, const char* rowSums, const char* rowPlaces);
+void filterColumns(PassBuilder& builder, const char* rowSums, const char* rowPlaces, TextureId result);
 
 /** Sums of the radiance that blocked directions show, over blocks of the picture. */
 class OSGENVLIGHT_EXPORT BouncePass : public RenderPass

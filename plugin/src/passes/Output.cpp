@@ -106,8 +106,8 @@ void CompositePass::setup(PassBuilder& b, FrameContext& c)
     }
     b.define("OUTPUT_LINEAR", s.output == Settings::LINEAR);
     if (s.view != Settings::LIGHT_LIST) return;
-    b.bind(c.textures.latlong(), "latlongMap");
-    b.bind(c.textures.diffuseLights(), "diffuseLightMap");
+    b.bind(c.textures->latlong(), "latlongMap");
+    b.bind(c.textures->diffuseLights(), "diffuseLightMap");
     readSuns(b, c);
 }
 
@@ -131,7 +131,7 @@ void ForwardPass::setup(PassBuilder& b, FrameContext& c)
     readIrradiance(b, c);
     if (c.settings.specular && !c.facts.mapIsBlack) {
         b.define("HAS_SPECULAR");
-        b.bind(c.textures.pyramid(), "pyramidMap");
+        b.bind(c.textures->pyramid(), "pyramidMap");
     }
     b.define("ENVLIGHT_LIT");
     b.bind(c.albedoTable, "albedoTable");
@@ -155,6 +155,11 @@ void ForwardPass::setup(PassBuilder& b, FrameContext& c)
         b.define("HAS_SUN_MAPS");
         readSunMaps(b, c);
         addPlace("sunsFromEye", c.sunMaps->targets().origin);
+    }
+    if (c.emitterMaps) {
+        b.define("HAS_AREA_LIGHTS");
+        readEmitterPoints(b, c);
+        addPlace("emittersFromEye", c.emitterMaps->origin());
     }
     if (!c.lights.empty()) {
         b.define("HAS_SCENE_LIGHTS");

@@ -106,7 +106,7 @@ void SkyShadows::update(FrameContext& c)
     const bool needsNear = followView(c, all);
     if (!needsNear) _near.drop();
     ShadowAtlas* near = needsNear ? &_near.make(lights, size) : nullptr;
-    const LightList list = c.textures.occlusionList(lights);
+    const LightList list = c.textures->occlusionList(lights);
     // Where both atlases wait, they share.
     const auto budget = unsigned(c.settings.atlasUpdatesPerFrame);
     const unsigned share = near && near->waiting() > 0 ? (budget + 1) / 2 : budget;

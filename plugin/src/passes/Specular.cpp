@@ -42,11 +42,11 @@ void readMapOfLobes(PassBuilder& b, FrameContext& c)
     b.settings<SpecularSettings>();
     if (isPrefiltered(c)) {
         b.define("PREFILTERED");
-        b.bind(c.textures.prefiltered(), "prefilteredMap");
+        b.bind(c.textures->prefiltered(), "prefilteredMap");
     } else {
-        b.bind(c.textures.pyramid(), "pyramidMap");
+        b.bind(c.textures->pyramid(), "pyramidMap");
     }
-    b.bind(c.textures.latlong(), "latlongMap");
+    b.bind(c.textures->latlong(), "latlongMap");
     readLobes(b, c);
 }
 
@@ -177,6 +177,10 @@ void ReflectionsPass::setup(PassBuilder& b, FrameContext& c)
     b.settings<SpecularSettings>();
     readLobes(b, c);
     b.read(b.find("radiance"), "radianceMap");
+    if (c.facts.areaLights > 0) {
+        b.define("HAS_AREA_LIGHTS");
+        b.read("emission", "emissionMap");
+    }
     b.drawMarked(b.find("pixel marks"), limits::MARK_TRACED);
     b.write(b.create("reflection", {GL_RGBA32F_ARB}));
 }

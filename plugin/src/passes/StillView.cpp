@@ -51,6 +51,7 @@ Requirement requireStill(const FrameContext& c)
 {
     Requirement still;
     still.unless(!c.settings.accumulate, "switched off");
+    still.unless(c.facts.mapIsBlack, "the map is black");
     still.unless(c.settings.view != Settings::BEAUTY, "an intermediate is shown");
     still.unless(!c.decisions.atlas.needed, "without the atlas there is nothing to converge to: " + c.decisions.atlas.reason);
     still.unless(c.facts.surfaces.deferred == 0, c.facts.whyNoneIsDeferred());
@@ -66,8 +67,9 @@ Accumulation::Key keyOf(const FrameContext& c)
     key.radianceScale = c.radianceScale;
     key.settings = &c.settings;
     key.lights = c.lights;
+    key.areaLights = c.areaLights;
     key.background = c.background;
-    key.textures = &c.textures;
+    key.textures = c.textures.get();
     key.viewport = c.viewport;
     key.surfaces = surfacesOf(*c.frame.gbufferStage, c.frame.fill->getStateSet());
     return key;
@@ -92,7 +94,7 @@ void StillView::update(FrameContext& c)
 {
     if (!_accumulation) _accumulation = new Accumulation;
     Accumulation& a = *_accumulation;
-    a.advance(keyOf(c), !c.skyMaps->moved() && c.waitingMaps == 0 && c.waitingBounces == 0, c.textures.map());
+    a.advance(keyOf(c), !c.skyMaps->moved() && c.waitingMaps == 0 && c.waitingBounces == 0, c.textures->map());
     c.still = &a;
     c.frame.setUniforms(&a);
     if (!c.nearSkyMaps) _near.drop();

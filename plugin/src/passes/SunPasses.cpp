@@ -88,7 +88,7 @@ void SunMaps::update(FrameContext& c)
         const VisibleBoxes boxes(c.casters, view);
         const unsigned levels = SunShadows::wantedLevels(boundOf(c.casters), view, boxes, size);
         SunShadows& shadows = make(c.facts.suns.count, levels, size);
-        _refreshes = shadows.update(c.casters, c.inWorld(c.textures.suns()), view, boxes);
+        _refreshes = shadows.update(c.casters, c.inWorld(c.textures->suns()), view, boxes);
         c.drawnSunMaps = unsigned(_refreshes.size());
     }
     c.sunMaps = _maps.get();

@@ -51,7 +51,7 @@ void AtlasRefresh::prepare(const ShadowTargets& targets, const std::vector<Shado
     _states = states;
     _timed = timed;
     _maps.clear();
-    for (const ShadowRefresh& r : refreshes) _maps.push_back({r.map, new osg::RefMatrix(r.projection), r.texel});
+    for (const ShadowRefresh& r : refreshes) _maps.push_back({r.map, new osg::RefMatrix(r.projection), r.texel, r.octaves});
     std::stable_sort(casters.begin(), casters.end(), [](const Caster& a, const Caster& b) { return a.state < b.state; });
     _casters.clear();
     const osg::Matrixd toOrigin = osg::Matrixd::translate(-targets.origin);
@@ -67,19 +67,17 @@ void AtlasRefresh::prepare(const ShadowTargets& targets, const std::vector<Shado
     setDataVariance(dynamic ? osg::Object::DYNAMIC : osg::Object::STATIC);
 }
 
-// What lies above the map's heights casts shadows into it, what lies below does not.
+// Not if all corners lie beyond one side, or below. What lies above the map's heights casts shadows into it.
 bool AtlasRefresh::Map::shows(const osg::BoundingBoxd& bound) const
 {
-    const osg::Matrixd& m = *projection;
-    const osg::Vec3d center = bound.center() * m, half = (bound._max - bound._min) * 0.5;
-    double lowest[3], highest[3];
-    for (int column = 0; column < 3; ++column) {
-        double reach = 1e-3;
-        for (int row = 0; row < 3; ++row) reach += std::abs(half[row] * m(row, column));
-        lowest[column] = center[column] - reach;
-        highest[column] = center[column] + reach;
+    bool outside[5] = {true, true, true, true, true};
+    for (unsigned i = 0; i < 8; ++i) {
+        const osg::Vec4d p = osg::Vec4d(bound.corner(i), 1.0) * *projection;
+        const double reach = p[3] + 1e-3 * std::abs(p[3]);
+        const double beyond[5] = {p[0] - reach, -p[0] - reach, p[1] - reach, -p[1] - reach, p[2] - reach};
+        for (int k = 0; k < 5; ++k) outside[k] = outside[k] && beyond[k] > 0.0;
     }
-    return lowest[0] <= 1.0 && highest[0] >= -1.0 && lowest[1] <= 1.0 && highest[1] >= -1.0 && lowest[2] <= 1.0;
+    return std::find(outside, outside + 5, true) == outside + 5;
 }
 
 void AtlasRefresh::drawImplementation(osg::RenderInfo& renderInfo) const
@@ -126,6 +124,7 @@ void AtlasRefresh::drawRun(osg::RenderInfo& renderInfo, size_t caster, size_t ca
     for (size_t k = begin; k < end; ++k) {
         glViewport(GLint(k - begin) * size, 0, size, size);
         setUniform(state, "atlasMapIndex", int(_maps[k].index), 0);
+        setUniform(state, "mapTexel", _maps[k].texel);
         state.applyProjectionMatrix(_maps[k].projection.get());
         for (size_t i = caster; i < casterEnd; ++i) {
             if (!_maps[k].shows(_casters[i].bound)) continue;
@@ -149,6 +148,7 @@ void AtlasRefresh::storeMidpoints(osg::RenderInfo& renderInfo, size_t begin, siz
         glViewport(x, y, size, size);
         setUniform(state, "batchFromAtlas", int(k - begin) * size - x, -y);
         setUniform(state, "mapTexel", _maps[k].texel);
+        setUniform(state, "mapOctaves", _maps[k].octaves);
         _triangle->draw(renderInfo);
     }
     state.popStateSet();

@@ -40,7 +40,7 @@ class OSGENVLIGHT_EXPORT AtlasRefresh : public osg::Drawable
     struct Map {
         unsigned index;
         osg::ref_ptr<osg::RefMatrix> projection;
-        float texel;
+        float texel, octaves;
         bool shows(const osg::BoundingBoxd& bound) const;
     };
     void drawCasters(osg::RenderInfo& renderInfo, osg::FrameBufferObject& target, const osg::StateSet& stateSet, size_t begin,

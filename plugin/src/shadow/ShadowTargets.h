@@ -43,7 +43,8 @@ struct OSGENVLIGHT_EXPORT ShadowTargets {
 struct ShadowRefresh {
     unsigned map;
     osg::Matrixd projection;  // clip space from the world about the origin
-    float texel = 0.0f;       // its side, in the map's heights; 0: the map is as high as it is wide
+    float texel = 0.0f;    // its side, in the map's heights; 0: the map is as high as it is wide; in perspective, at distance 1
+    float octaves = 0.0f;  // in perspective, of its distances [lib/emittermap.glsl]
 };
 
 }  // namespace osgEnvLight

@@ -198,6 +198,7 @@ class SurfaceSort
         if (state.edged()) bits |= S::ENVLIGHT_EDGE;
         if (state.roughDiffuse()) bits |= S::ENVLIGHT_ROUGH_DIFFUSE;
         if (state.coated()) bits |= S::ENVLIGHT_COAT;
+        if (state.isAreaLight()) bits |= S::ENVLIGHT_LIGHT;
         if (state.brdf() >= 0 && state.emits()) bits |= S::ENVLIGHT_EMISSION;
         return {bits, stages};
     }
@@ -291,6 +292,7 @@ const osg::StateSet* SurfaceSorter::variant(const Variation& variation)
                                           "ENVLIGHT_COAT",
                                           "ENVLIGHT_EDGE",
                                           "ENVLIGHT_ROUGH_DIFFUSE",
+                                          "ENVLIGHT_LIGHT",
                                           "CLIP_PLANES",
                                           "TEXTURE_STAGES",
                                           "WHITE",

@@ -89,16 +89,17 @@ class OSGENVLIGHT_EXPORT SurfaceSorter : public osg::Referenced
         ENVLIGHT_COAT = uint64_t(1) << 24,
         ENVLIGHT_EDGE = uint64_t(1) << 25,
         ENVLIGHT_ROUGH_DIFFUSE = uint64_t(1) << 26,
-        CLIP_PLANES = uint64_t(1) << 27,
-        TEXTURE_STAGES = uint64_t(1) << 28,
-        WHITE = uint64_t(1) << 29,
-        NORMAL_MAP = uint64_t(1) << 30,
-        METAL_ROUGH_MAP = uint64_t(1) << 31,
-        EMISSION_MAP = uint64_t(1) << 32,
-        ANISOTROPY_MAP = uint64_t(1) << 33,
-        COAT_MAP = uint64_t(1) << 34,
-        COAT_ROUGHNESS_MAP = uint64_t(1) << 35,
-        COAT_NORMAL_MAP = uint64_t(1) << 36
+        ENVLIGHT_LIGHT = uint64_t(1) << 27,
+        CLIP_PLANES = uint64_t(1) << 28,
+        TEXTURE_STAGES = uint64_t(1) << 29,
+        WHITE = uint64_t(1) << 30,
+        NORMAL_MAP = uint64_t(1) << 31,
+        METAL_ROUGH_MAP = uint64_t(1) << 32,
+        EMISSION_MAP = uint64_t(1) << 33,
+        ANISOTROPY_MAP = uint64_t(1) << 34,
+        COAT_MAP = uint64_t(1) << 35,
+        COAT_ROUGHNESS_MAP = uint64_t(1) << 36,
+        COAT_NORMAL_MAP = uint64_t(1) << 37
     };
     struct Variation {
         uint64_t bits = 0;

@@ -80,6 +80,7 @@ void SurfaceState::mergeMaps(const osg::StateSet& s)
     for (size_t i = 0; i < _mapUnits.size(); ++i)
         if (const osg::Uniform* unit = s.getUniform(MaterialMaps::samplers[i])) unit->get(_mapUnits[i]);
     if (s.getUniform(MaterialMaps::emission)) _emits = true;
+    if (s.getUniform(MaterialMaps::light)) _isAreaLight = true;
     if (s.getUniform(MaterialMaps::dielectric)) _dielectric = true;
     if (const osg::Uniform* roughness = s.getUniform(MaterialMaps::diffuseRoughness)) roughness->get(_diffuseRoughness);
     if (const osg::Uniform* coat = s.getUniform(MaterialMaps::coat)) coat->get(_coat);

@@ -87,12 +87,11 @@ class OSGENVLIGHT_EXPORT SurfaceState
     /** A Material says what its metal's edges reflect. */
     bool edged() const { return _edged && cookTorrance() && !coated() && !anisotropic(); }
     /** Its diffuse layer is not Lambert's. */
-    bool roughDiffuse() const
-    {
-        return _diffuseRoughness > 0.0f && _brdf >= 0 && !coated() && !anisotropic() && !edged();
-    }
+    bool roughDiffuse() const { return _diffuseRoughness > 0.0f && _brdf >= 0 && !coated() && !anisotropic() && !edged(); }
     /** A Material says what it emits. */
     bool emits() const { return _emits; }
+    /** What an AreaLight draws of itself. */
+    bool isAreaLight() const { return _isAreaLight; }
     /** Planes of the host's cut it. */
     bool clipped() const;
 
@@ -170,6 +169,7 @@ class OSGENVLIGHT_EXPORT SurfaceState
     bool _edged = false;
     float _diffuseRoughness = 0.0f;
     bool _emits = false;
+    bool _isAreaLight = false;
     bool _ownVertexColors = false;  // a BRDF of ours takes them
 };
 

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+#include "passes/AreaLights.h"
+
+#include "base/Limits.h"
+#include "gl/BindTargets.h"
+#include "gl/TargetTexture.h"
+#include "passes/Inputs.h"
+#include "passes/Occlusion.h"
+#include "surface/LtcTable.h"
+
+#include <algorithm>
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+// Where the first frame draws all maps at once instead of a few a frame [SkyShadows].
+const double firstFrameTriangles = 2e7;
+
+// So many lights have closed forms. Of more, all points stand for them, and a pixel's time does not grow with their number any
+// more.
+const size_t mostClosedForms = 8;
+
+unsigned pointsOf(const Settings& settings)
+{
+    return (unsigned(settings.areaPoints) + limits::LIGHT_GROUPS - 1) / limits::LIGHT_GROUPS * limits::LIGHT_GROUPS;
+}
+
+Requirement requireLights(const FrameContext& c)
+{
+    Requirement lights;
+    lights.unless(c.facts.areaLights == 0, "no area light");
+    lights.unless(!c.facts.ownGBuffer, "the application's own G-buffer says what surfaces emit");
+    return lights.unless(!c.settings.diffuse && !c.settings.specular, "switched off");
+}
+
+Requirement requireReceivers(const FrameContext& c, Requirement lights)
+{
+    return lights.unless(c.facts.surfaces.deferred == 0, c.facts.whyNoneIsDeferred());
+}
+
+Requirement requireShadows(const FrameContext& c)
+{
+    Requirement shadows = requireLights(c);
+    shadows.unless(!c.settings.occlusion, "occlusion is off");
+    shadows.unless(c.settings.visibility == Settings::VISIBILITY_NONE, "visibility is none");
+    shadows.unless(c.facts.surfaces.deferred + c.facts.surfaces.litForward == 0, "nothing to light");
+    return shadows.unless(c.facts.casters == 0, "nothing casts shadows");
+}
+
+bool pointsStandForThem(const FrameContext& c)
+{
+    return c.emitterMaps && c.facts.areaLights > mostClosedForms;
+}
+
+bool lightsLobes(const FrameContext& c)
+{
+    return c.settings.specular && c.facts.surfaces.hasLobes();
+}
+
+osg::ref_ptr<osg::Texture2D> textureOf(osg::Image* image)
+{
+    const osg::ref_ptr<osg::Texture2D> texture = targetTexture(image->s(), image->t(), GL_RGBA32F_ARB);
+    texture->setImage(image);
+    return texture;
+}
+
+void write(osg::Image& image, size_t light, unsigned row, const osg::Vec3d& v, double w)
+{
+    float* out = reinterpret_cast<float*>(image.data(unsigned(light), row));
+    for (int k = 0; k < 3; ++k) out[k] = float(v.ptr()[k]);
+    out[3] = float(w);
+}
+
+// As pass/arealights.glsl reads them.
+osg::ref_ptr<osg::Image> lightImage(const std::vector<Emitter>& lights, const osg::Vec3d& origin)
+{
+    size_t vertices = 0;
+    for (const Emitter& light : lights) vertices = std::max(vertices, light.vertices.size());
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(int(lights.size()), limits::AREA_LIGHT_ROWS + int(vertices), 1, GL_RGBA, GL_FLOAT);
+    image->setInternalTextureFormat(GL_RGBA32F_ARB);
+    for (size_t i = 0; i < lights.size(); ++i) {
+        const Emitter& light = lights[i];
+        // Of a polygon their cross product is its area along its normal.
+        const bool isPolygon = light.shape == AreaLight::POLYGON;
+        const osg::Vec3d u = isPolygon ? light.vertices.front() : light.u;
+        const osg::Vec3d v = isPolygon ? (light.normal ^ u) * (light.area / u.length2()) : light.v;
+        write(*image, i, 0, light.center - origin, light.extent() * light.extent());
+        write(*image, i, 1, light.radiance, light.shape + (light.twoSided ? 4 : 0) + 8 * int(light.vertices.size()));
+        write(*image, i, 2, u, 0.0);
+        write(*image, i, 3, v, 0.0);
+        for (size_t k = 0; k < vertices; ++k)
+            write(*image, i, unsigned(limits::AREA_LIGHT_ROWS + k), k < light.vertices.size() ? light.vertices[k] : osg::Vec3d(),
+                  0.0);
+    }
+    return image;
+}
+
+}  // namespace
+
+Requirement AreaMapsPass::require(const FrameContext& c) const
+{
+    const std::string side = std::to_string(c.settings.areaMapSize);
+    return requireShadows(c).because(counted(pointsOf(c.settings), "map") + " of " + side + " x " + side + " of " +
+                                     counted(c.facts.casters, "drawable") + ", from points on " +
+                                     counted(c.facts.areaLights, "area light"));
+}
+
+EmitterMaps& AreaMapsPass::make(unsigned points, unsigned size)
+{
+    if (_maps && _maps->points == points && _maps->size == size) return *_maps;
+    drop();
+    _maps = new EmitterMaps(points, size);
+    _camera = new StageCamera;
+    BindTargets::install(*_camera, _maps->targets().maps, _failure.get());
+    return *_maps;
+}
+
+void AreaMapsPass::drop()
+{
+    if (_maps) retire(_maps->targets(), *_retired);
+    _maps = nullptr;
+    _camera = nullptr;
+    _points = nullptr;
+    _refreshes.clear();
+}
+
+void AreaMapsPass::update(FrameContext& c)
+{
+    EmitterMaps& maps = make(pointsOf(c.settings), unsigned(c.settings.areaMapSize));
+    maps.setCasters(c.casters);
+    const bool fits = 2.0 * maps.points * double(maps.triangles()) <= firstFrameTriangles;
+    const bool all = c.settings.regeneration == Settings::IMMEDIATE || (maps.version() == 0 && fits);
+    _refreshes =
+        maps.update(emitterPoints(c.areaLights, maps.points), all ? maps.points : unsigned(c.settings.atlasUpdatesPerFrame));
+    if (!_points || _pointVersion != maps.version()) _points = textureOf(maps.pointImage());
+    _pointVersion = maps.version();
+    c.emitterMaps = &maps;
+    c.emitterPoints = _points.get();
+    c.waitingMaps += maps.waiting();
+}
+
+void AreaMapsPass::setup(PassBuilder& b, FrameContext& c)
+{
+    if (!_refreshes.empty())
+        drawMaps(b, c, name(), name(), "pass/emittermap.frag", *_camera, _maps->targets(), _refreshes, _maps->drawn());
+    _refreshes.clear();
+}
+
+void AreaMapsPass::dismiss(FrameContext& c)
+{
+    if (!(c.showsNothing && c.facts.areaLights > 0 && Decisions::wantsAreaMaps(c.settings))) drop();
+}
+
+void AreaMapsPass::resizeGLObjectBuffers(unsigned maximum)
+{
+    if (_maps) _maps->resizeGLObjectBuffers(maximum);
+}
+
+void AreaMapsPass::releaseGLObjects(osg::State* state) const
+{
+    if (_maps) _maps->releaseGLObjects(state);
+}
+
+Requirement AreaShadowPass::require(const FrameContext& c) const
+{
+    return requireReceivers(c, requireShadows(c))
+        .because(std::to_string(pointsOf(c.settings) / limits::LIGHT_GROUPS) + " points a pixel, each asking its map");
+}
+
+void AreaShadowPass::setup(PassBuilder& b, FrameContext& c)
+{
+    b.readGBuffer();
+    readEmitterPoints(b, c);
+    b.shadowOrigin(c.emitterMaps->origin());
+    if (lightsLobes(c)) {
+        b.define("HAS_LOBES");
+        readLobes(b, c);
+    }
+    drawSurfaces(b);
+    writeSums(b, "area sums", "area places");
+}
+
+Requirement AreaRowsPass::require(const FrameContext& c) const
+{
+    return requireReceivers(c, requireShadows(c)).because("averages the 16 groups of points along rows");
+}
+
+void AreaRowsPass::setup(PassBuilder& b, FrameContext&)
+{
+    b.uniform(_cells.get());
+    filterRows(b, "area sums", "area places", "area row sums", "area row places");
+}
+
+Requirement AreaFilterPass::require(const FrameContext& c) const
+{
+    return requireReceivers(c, requireShadows(c)).because("averages the 16 groups of points, the rows along columns");
+}
+
+void AreaFilterPass::setup(PassBuilder& b, FrameContext&)
+{
+    b.uniform(_cells.get());
+    filterColumns(b, "area row sums", "area row places", b.create("area visibility"));
+}
+
+Requirement AreaLightsPass::require(const FrameContext& c) const
+{
+    return requireReceivers(c, requireLights(c))
+        .because(counted(c.facts.areaLights, "area light") +
+                 (pointsStandForThem(c) ? ", for which their points stand" : ", each by its closed form"));
+}
+
+osg::Texture2D* AreaLightsPass::lightTexture(const std::vector<Emitter>& lights, const osg::Vec3d& origin)
+{
+    if (_lights && lights == _list && origin == _origin) return _lights.get();
+    _lights = textureOf(lightImage(lights, origin));
+    _list = lights;
+    _origin = origin;
+    return _lights.get();
+}
+
+void AreaLightsPass::setup(PassBuilder& b, FrameContext& c)
+{
+    const osg::Vec3d origin = c.emitterMaps ? c.emitterMaps->origin() : c.areaLights.front().center;
+    b.readGBuffer();
+    readLobes(b, c);
+    b.bind(lightTexture(c.areaLights, origin), "areaLightMap");
+    b.shadowOrigin(origin);
+    if (lightsLobes(c)) {
+        if (!_ltcTable) _ltcTable = makeLtcTable();
+        b.define("HAS_LOBES");
+        b.bind(_ltcTable.get(), "ltcTable");
+    }
+    if (b.read("area visibility", "areaVisibilityMap")) b.define("HAS_AREA_SHADOWS");
+    b.define("HAS_DIFFUSE", c.settings.diffuse);
+    if (pointsStandForThem(c)) {
+        b.define("HAS_AREA_POINTS");
+        b.bind(c.emitterPoints, "emitterPointMap");
+    }
+    const auto isPolygon = [](const Emitter& light) { return light.shape == AreaLight::POLYGON; };
+    b.define("HAS_POLYGONS", std::any_of(c.areaLights.begin(), c.areaLights.end(), isPolygon));
+    drawSurfaces(b);
+    b.addTo(b.find("emission"));
+}
+
+void AreaLightsPass::dismiss(FrameContext&)
+{
+    _lights = nullptr;
+    _ltcTable = nullptr;
+    _list.clear();
+}
+
+}  // namespace osgEnvLight

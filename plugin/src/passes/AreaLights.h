@@ -1,0 +1,95 @@
+/* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
+#pragma once
+
+#include "frame/RenderPass.h"
+#include "passes/MapRefresh.h"
+#include "shadow/EmitterMaps.h"
+
+namespace osgEnvLight
+{
+
+/** The shadow maps of the area lights' points, drawn when lights or casters change, a few a frame. */
+class OSGENVLIGHT_EXPORT AreaMapsPass : public RenderPass
+{
+  public:
+    AreaMapsPass(Failure* failure, RetiredObjects* retired) : _failure(failure), _retired(retired) {}
+
+    const char* name() const override { return "areamaps"; }
+    Requirement require(const FrameContext& context) const override;
+    void update(FrameContext& context) override;
+    void setup(PassBuilder& builder, FrameContext& context) override;
+    void dismiss(FrameContext& context) override;
+    size_t bytes() const override { return _maps ? _maps->bytes() : 0; }
+    void resizeGLObjectBuffers(unsigned maximum) override;
+    void releaseGLObjects(osg::State* state) const override;
+
+  protected:
+    ~AreaMapsPass() override { drop(); }
+
+  private:
+    EmitterMaps& make(unsigned points, unsigned size);
+    void drop();
+
+    const osg::ref_ptr<Failure> _failure;
+    const osg::ref_ptr<RetiredObjects> _retired;
+    osg::ref_ptr<EmitterMaps> _maps;
+    osg::ref_ptr<osg::Camera> _camera;
+    std::vector<ShadowRefresh> _refreshes;
+    osg::ref_ptr<osg::Texture2D> _points;  // at which version
+    unsigned _pointVersion = 0;
+};
+
+/** Each pixel of a 4x4 cell asks another sixteenth of these maps. */
+class OSGENVLIGHT_EXPORT AreaShadowPass : public RenderPass
+{
+  public:
+    const char* name() const override { return "areashadow"; }
+    Requirement require(const FrameContext& context) const override;
+    void setup(PassBuilder& builder, FrameContext& context) override;
+};
+
+/** These sums, averaged over a cell along rows [area-lights.md 3, "Filter width"]. */
+class OSGENVLIGHT_EXPORT AreaRowsPass : public RenderPass
+{
+  public:
+    const char* name() const override { return "arearows"; }
+    const char* shader() const override { return "filterrows"; }
+    Requirement require(const FrameContext& context) const override;
+    void setup(PassBuilder& builder, FrameContext& context) override;
+
+  private:
+    const osg::ref_ptr<osg::Uniform> _cells = new osg::Uniform("filterCells", 1);
+};
+
+/** The same along columns, and the sums' ratio. */
+class OSGENVLIGHT_EXPORT AreaFilterPass : public RenderPass
+{
+  public:
+    const char* name() const override { return "areafilter"; }
+    const char* shader() const override { return "filter"; }
+    Requirement require(const FrameContext& context) const override;
+    void setup(PassBuilder& builder, FrameContext& context) override;
+
+  private:
+    const osg::ref_ptr<osg::Uniform> _cells = new osg::Uniform("filterCells", 1);
+};
+
+/** Adds what surfaces reflect of the area lights to the G-buffer's emission: bounce and still views then have it too. */
+class OSGENVLIGHT_EXPORT AreaLightsPass : public RenderPass
+{
+  public:
+    const char* name() const override { return "arealights"; }
+    Requirement require(const FrameContext& context) const override;
+    void setup(PassBuilder& builder, FrameContext& context) override;
+    void dismiss(FrameContext&) override;
+
+  private:
+    osg::Texture2D* lightTexture(const std::vector<Emitter>& lights, const osg::Vec3d& origin);
+
+    osg::ref_ptr<osg::Texture2D> _ltcTable;  // null: no lobe is in view
+    osg::ref_ptr<osg::Texture2D> _lights;
+    std::vector<Emitter> _list;  // that it shows, about which origin
+    osg::Vec3d _origin;
+};
+
+}  // namespace osgEnvLight

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// The shadow map of a point of an area light. It shows a square window at distance 1 along its axis. Heights are the nearest distance that
+// counts over the distance along the axis, so planes are planes in the map, as in lib/atlas.glsl [area-lights.md 3, "The sun's tracer"].
+// Positions are in texels.
+#ifndef EMITTERMAP_GLSL
+#define EMITTERMAP_GLSL
+
+#include "lib/atlas.glsl"
+
+// Half the width of the widest window [area-lights.md 3: wider ones have coarser texels and err more].
+const float EMITTER_MAP_TANGENT = 2.0;
+// The nearest distance that counts, in shares of the extent of all that casts shadows.
+const float EMITTER_MAP_NEAR = 1e-3;
+// Shadows are told apart from this on, in texels' widths.
+const float EMITTER_MAP_STEP = 0.0128;
+
+struct EmitterMap {
+    vec2 window;    // its centre
+    float tangent;  // half its width; 0: the map is not drawn yet
+    float nearest;
+    float octaves;  // from the nearest distance to the farthest, by powers of two
+    ivec2 corner;   // in the texture
+    int size;
+};
+
+// Width of a texel at distance 1.
+float emitterTexelWidth(EmitterMap m)
+{
+    return 2.0 * m.tangent / float(m.size);
+}
+
+// A height as 16 bits keep it, as exact in relation to its size at any distance; 0 for none.
+float packedHeight(float height, float octaves)
+{
+    return height > 0.0 ? clamp(1.0 + log2(height) / octaves, 0.0, 1.0) : 0.0;
+}
+
+float unpackedHeight(float code, float octaves)
+{
+    return code > 0.0 ? exp2((code - 1.0) * octaves) : 0.0;
+}
+
+// What a texel keeps of its two surfaces: the height between them, and how the first rises in relation to its height. slope, turn, back:
+// as in skyHeight(). width: of a texel at distance 1.
+vec2 emitterTexel(float firstDepth, float secondDepth, vec3 slope, float width, float octaves)
+{
+    float first = 1.0 - firstDepth;
+    float middle = skyHeight(firstDepth, secondDepth, slope.x, slope.y, first * width);
+    return vec2(packedHeight(middle, octaves), packedRise(abs(slope.x) / max(first, 1e-20), slope.z));
+}
+
+// Where a map shows a point at (x, y, z) of its axes: position and height; height 0 for what is beside or behind it.
+vec3 emitterMapPlace(EmitterMap m, vec3 p)
+{
+    if (p.z <= 0.0) return vec3(0.0);
+    vec2 st = (vec2(p.x, p.y) / p.z - m.window) / m.tangent;
+    if (max(abs(st.x), abs(st.y)) >= 1.0) return vec3(0.0);
+    return vec3((0.5 * st + 0.5) * float(m.size), m.nearest / p.z);
+}
+
+// By how much the plane of normal n through p, both along the map's axes, is higher at the texel's centre than at position xy, in shares
+// of the height at p.
+float emitterMapRise(EmitterMap m, vec3 p, vec3 n, vec2 xy)
+{
+    float away = dot(n, p);
+    vec2 gradient = vec2(n.x, n.y) * (emitterTexelWidth(m) * p.z);
+    return away < 0.0 ? dot(gradient, floor(xy) + 0.5 - xy) / away : 0.0;
+}
+
+// 1 if the point at place, whose own plane rises so far to the texel's centre, is seen from the map's point, else 0. As atlasVisible(), in
+// shares of the point's height.
+float emitterMapSees(sampler2D maps, EmitterMap m, vec3 place, float rise)
+{
+    vec2 xy = vec2(place.x, place.y);
+    ivec2 p = ivec2(xy);
+    vec4 texel = texelFetch(maps, m.corner + p, 0);
+    float width = emitterTexelWidth(m);
+    float middle = unpackedHeight(texel.x, m.octaves) / place.z;
+    vec2 gradient = unpackedRise(texel.y) * middle;
+    if (middle > 1.0 + clamp(rise, 0.0, riseToCorner(length(gradient))) + EMITTER_MAP_STEP * width) return 0.0;
+    // The plane of the texel's surface, as underPlane() has it.
+    float least = 1.0 + 0.1 * width + EMITTER_MAP_STEP * width;
+    vec2 offset = xy - vec2(p) - 0.5;
+    if (middle + dot(gradient, offset) <= least) return 1.0;
+    ivec2 next = abs(offset.x) > abs(offset.y) ? ivec2(offset.x < 0.0 ? -1 : 1, 0) : ivec2(0, offset.y < 0.0 ? -1 : 1);
+    ivec2 q = p + next;
+    if (min(q.x, q.y) < 0 || max(q.x, q.y) >= m.size) return 1.0;
+    vec4 beside = texelFetch(maps, m.corner + q, 0);
+    float besideMiddle = unpackedHeight(beside.x, m.octaves) / place.z;
+    return besideMiddle * (1.0 + dot(unpackedRise(beside.y), offset - vec2(next))) <= least ? 1.0 : 0.0;
+}
+
+#endif
