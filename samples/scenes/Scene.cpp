@@ -151,7 +151,13 @@ void Scene::write(const std::string& folder) const
         file << separator << "        \"" << name << "\": " << json(material);
         separator = ",\n";
     }
-    file << "\n    }\n}\n";
+    file << "\n    }";
+    separator = ",\n    \"lights\": [\n        ";
+    for (const std::string& light : _lights) {
+        file << separator << light;
+        separator = ",\n        ";
+    }
+    file << (_lights.empty() ? "\n}\n" : "\n    ]\n}\n");
     file.close();
     if (!file) throw std::runtime_error("cannot write " + path + ".envlight");
 }

@@ -55,6 +55,9 @@ class Scene
     void add(const Mesh& mesh, const std::string& material) { add(mesh.geometry(), material, osg::Matrixd()); }
     void add(osg::Node* model, const std::string& material, const osg::Matrixd& placement);
 
+    /// An area light, as an entry of "lights" in the .envlight file.
+    void addLight(const std::string& description) { _lights.push_back(description); }
+
     /// Throws std::runtime_error when a file cannot be written.
     void write(const std::string& folder) const;
 
@@ -64,11 +67,13 @@ class Scene
     Camera _camera;
     std::map<std::string, Material> _materials;
     std::map<std::string, osg::ref_ptr<osg::StateSet>> _states;
+    std::vector<std::string> _lights;
     osg::ref_ptr<osg::Group> _root;
 };
 
 Scene chess();
 Scene atrium();
+Scene cornell();
 Scene swing();
 Scene materialSpheres();
 
