@@ -17,7 +17,7 @@ struct Sweep {
     const char* name;
     std::vector<const char*> values;
     Texts with;  // what the knob needs to have an effect
-    enum Where { ANY, SPECULAR, FULL_TRANSPORT } where;
+    enum Where { ANY, SPECULAR, AREA_LIGHTS, FULL_TRANSPORT } where;
     bool alsoQuick;
 };
 
@@ -28,6 +28,8 @@ const std::vector<Sweep>& defaultSweeps()
         {"atlasLights", {"16", "64", "128", "256", "512", "1024"}, {}, Sweep::ANY, true},
         {"atlasSize", {"32", "64", "128", "256"}, {}, Sweep::ANY, true},
         {"sunShadowSize", {"256", "512", "1024", "2048"}, {}, Sweep::ANY, false},
+        {"areaPoints", {"16", "32", "64", "128", "256"}, {}, Sweep::AREA_LIGHTS, true},
+        {"areaMapSize", {"32", "64", "128", "256"}, {}, Sweep::AREA_LIGHTS, false},
         {"nearRadius", {"0", "1", "2", "3", "6"}, {}, Sweep::ANY, false},
         {"nearTaps", {"2", "4", "8"}, {}, Sweep::ANY, false},
         {"occlusionLights", {"64", "128", "256", "512", "1024", "2048"}, {{"visibility", "screen"}}, Sweep::ANY, false},
@@ -144,7 +146,7 @@ std::vector<Candidate> candidates(const Selection& selection)
         const bool replaced =
             std::any_of(selection.sweeps.begin(), selection.sweeps.end(), [&](const auto& a) { return a.first == s.name; });
         if (replaced || (selection.quick && !s.alsoQuick) || (s.where == Sweep::SPECULAR && !selection.specular) ||
-            (s.where == Sweep::FULL_TRANSPORT && !selection.full))
+            (s.where == Sweep::AREA_LIGHTS && !selection.areaLights) || (s.where == Sweep::FULL_TRANSPORT && !selection.full))
             continue;
         std::vector<std::string> values(s.values.begin(), s.values.end());
         if (selection.quick)

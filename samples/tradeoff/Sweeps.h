@@ -26,6 +26,7 @@ struct Selection {
         sweeps;                     // as parseSweep gives them; in place of the default ones
     std::vector<std::string> only;  // names of sweeps and presets; empty: all
     bool specular = true;           // whether the term S runs: else its knobs are left out
+    bool areaLights = false;        // whether there are any with shadows: else their knobs are left out
     bool full = false;              // whether the reference has all light: else the bounce is left out
     bool quick = false;             // every other value of the sweeps that matter most
 };

@@ -203,6 +203,7 @@ int run(Arguments& a)
     if (a.targetError > 0.0) report.targets.push_back({Target::ERROR, a.targetError});
     if (a.targetMilliseconds > 0.0) report.targets.push_back({Target::MILLISECONDS, a.targetMilliseconds});
     selection.specular = lit->plan().runs("specular");
+    selection.areaLights = lit->plan().runs("areamaps");
     measureAll(candidates(selection), measurement, truth, report, bar, referenceShare,
                start + std::chrono::seconds(a.quick ? 105 : 1100));
     std::signal(SIGINT, SIG_DFL);
