@@ -21,6 +21,7 @@ struct Context {
     RTCIntersectContext context;
     RayScene::Kind kind = RayScene::ANY;
     const std::uint64_t* seeds = nullptr;  // by the rays' id, as what follows
+    const RayEnd* ends = nullptr;          // null: infinity
     float transmittance[packetSize];
 
     explicit Context(RTCIntersectContextFlags flags)
@@ -85,14 +86,16 @@ void filterShadow(const RTCFilterFunctionNArguments* a)
     for (unsigned i = 0; i < a->N; ++i) {
         if (a->valid[i] != -1) continue;
         const RTCHit h = rtcGetHitFromHitN(a->hit, a->N, i);
-        float& t = context.transmittance[RTCRayN_id(a->ray, a->N, i)];
-        t *= float(1.0 - opacity(mesh, h));
-        if (t > 0.0f) a->valid[i] = 0;
+        const unsigned id = RTCRayN_id(a->ray, a->N, i);
+        const bool isGoal = context.ends && mesh.emitter >= 0 && context.ends[id].emitter == mesh.emitter;
+        float& t = context.transmittance[id];
+        if (!isGoal) t *= float(1.0 - opacity(mesh, h));
+        if (isGoal || t > 0.0f) a->valid[i] = 0;
     }
 }
 
 // A float ray with its origin brought near the scene in double precision, where it starts far out.
-double toEmbree(const Ray& ray, double radius, RTCRay& out)
+double toEmbree(const Ray& ray, double radius, RTCRay& out, const RayEnd& end = RayEnd())
 {
     const double along = -glm::dot(ray.origin, ray.direction);
     const double skipped = std::max(0.0, along - 2.0 * radius);
@@ -104,7 +107,7 @@ double toEmbree(const Ray& ray, double radius, RTCRay& out)
     out.dir_y = float(ray.direction.y);
     out.dir_z = float(ray.direction.z);
     out.tnear = 0.0f;
-    out.tfar = std::numeric_limits<float>::infinity();
+    out.tfar = float(std::max(0.0, end.distance - skipped));
     out.time = 0.0f;
     out.mask = ~0u;
     out.id = 0;
@@ -114,12 +117,13 @@ double toEmbree(const Ray& ray, double radius, RTCRay& out)
 
 // Some rays side by side.
 template <class Packet>
-void fill(Packet& packet, int* valid, const Ray* rays, size_t count, double radius, double* skipped)
+void fill(Packet& packet, int* valid, const Ray* rays, size_t count, double radius, double* skipped, const RayEnd* ends = nullptr)
 {
     for (unsigned i = 0; i < packetSize; ++i) {
         valid[i] = i < count ? -1 : 0;
         RTCRay r;
-        skipped[i] = toEmbree(rays[std::min<size_t>(i, count - 1)], radius, r);
+        const size_t from = std::min<size_t>(i, count - 1);
+        skipped[i] = toEmbree(rays[from], radius, r, ends ? ends[from] : RayEnd());
         packet.org_x[i] = r.org_x;
         packet.org_y[i] = r.org_y;
         packet.org_z[i] = r.org_z;
@@ -220,7 +224,7 @@ struct RayScene::Embree {
             const bool perforated = mesh.material.perforated();
             if (perforated || mesh.material.sides != SurfaceMaterial::SHOW_BOTH)
                 rtcSetGeometryIntersectFilterFunction(g, filterNearest);
-            if (perforated) rtcSetGeometryOccludedFilterFunction(g, filterShadow);
+            if (perforated || mesh.emitter >= 0) rtcSetGeometryOccludedFilterFunction(g, filterShadow);
             // High quality splits triangles, and a filter would see them twice.
             rtcSetGeometryBuildQuality(g, perforated ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_HIGH);
             rtcCommitGeometry(g);
@@ -319,12 +323,13 @@ double RayScene::beyond(double distance) const
     return std::max(distance * (1.0 + 1e-6), 1e-12 * _scene.radius);
 }
 
-void RayScene::transmittance(const Ray* rays, size_t count, float* result) const
+void RayScene::transmittance(const Ray* rays, size_t count, float* result, const RayEnd* ends) const
 {
     if (count == 1) {
         Context context(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
+        context.ends = ends;
         RTCRay ray;
-        toEmbree(*rays, _scene.radius, ray);
+        toEmbree(*rays, _scene.radius, ray, ends ? *ends : RayEnd());
         rtcOccluded1(_embree->scene, &context.context, &ray);
         *result = ray.tfar < 0.0f ? 0.0f : context.transmittance[0];
         return;
@@ -332,10 +337,11 @@ void RayScene::transmittance(const Ray* rays, size_t count, float* result) const
     for (size_t first = 0; first < count; first += packetSize) {
         const size_t n = std::min<size_t>(packetSize, count - first);
         Context context(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);  // from one pixel, but all over the hemisphere
+        context.ends = ends ? ends + first : nullptr;
         RTCRay16 packet;
         alignas(64) int valid[packetSize];
         double skipped[packetSize];
-        fill(packet, valid, rays + first, n, _scene.radius, skipped);
+        fill(packet, valid, rays + first, n, _scene.radius, skipped, context.ends);
         rtcOccluded16(valid, _embree->scene, &context.context, &packet);
         for (size_t i = 0; i < n; ++i) result[first + i] = packet.tfar[i] < 0.0f ? 0.0f : context.transmittance[i];
     }

@@ -55,6 +55,32 @@ TEST(RayScene, ManyRaysMeetWhatEachOfThemMeets)
     }
 }
 
+TEST(RayScene, ShadowRaysEndAtTheirDistance)
+{
+    std::mt19937 random(5);
+    const TestScene scene = testScenes().front();
+    const Traced view = perspectiveView(*scene.node, scene.eye, scene.target, 1);
+    const RayScene rays(view.triangles());
+    const std::vector<Ray> batch = randomRays(random, 1000);
+    std::vector<RayEnd> ends(batch.size());
+    std::vector<float> through(batch.size());
+    std::uniform_real_distribution<double> distance(15.0, 25.0);
+    for (RayEnd& end : ends) end.distance = distance(random);
+    rays.transmittance(batch.data(), batch.size(), through.data(), ends.data());
+    int stopped = 0;
+    for (size_t i = 0; i < batch.size(); ++i) {
+        SurfaceHit hit;
+        const bool stops = rays.nearest(batch[i], RayScene::ANY, 0, hit) && hit.distance < ends[i].distance;
+        float alone = 0.5f;
+        rays.transmittance(&batch[i], 1, &alone, &ends[i]);
+        EXPECT_EQ(stops ? 0.0f : 1.0f, through[i]);
+        EXPECT_EQ(alone, through[i]);
+        stopped += stops;
+    }
+    EXPECT_GT(stopped, 50);
+    EXPECT_LT(stopped, 950);
+}
+
 TEST(RayScene, ManyRaysGetThroughAsEachOfThemDoes)
 {
     std::mt19937 random(3);
