@@ -56,14 +56,17 @@ double LightTransport::density(const Reflection& surface, const Incident& in) co
 void LightTransport::Arrivals::clear()
 {
     rays.clear();
+    ends.clear();
     lights.clear();
     below = Light();
 }
 
-void LightTransport::add(const SurfaceHit& hit, const glm::dvec3& direction, const Arrivals::Light& light, Arrivals& arrivals)
+void LightTransport::add(const SurfaceHit& hit, const glm::dvec3& direction, const RayEnd& end, const Arrivals::Light& light,
+                         Arrivals& arrivals)
 {
     if (glm::dot(direction, hit.facet) > 0.0) {
         arrivals.rays.push_back(RayScene::leave(hit, direction));
+        arrivals.ends.push_back(end);
         arrivals.lights.push_back(light);
     } else {
         arrivals.below.diffuse += light.diffuse;
@@ -71,7 +74,7 @@ void LightTransport::add(const SurfaceHit& hit, const glm::dvec3& direction, con
     }
 }
 
-void LightTransport::add(const Start& start, const Incident& in, double weight, Arrivals& arrivals) const
+void LightTransport::add(const Start& start, const Incident& in, const RayEnd& end, double weight, Arrivals& arrivals) const
 {
     const Reflection& surface = *start.surface;
     const double c = surface.cosine(in.direction);
@@ -79,40 +82,41 @@ void LightTransport::add(const Start& start, const Incident& in, double weight, 
     const double p = density(surface, in);
     if (!(p > 0.0)) return;
     const glm::dvec3 light = in.radiance * (weight * c / p);
-    const Arrivals::Light a{_lights ? glm::dvec3(0.0) : light * surface.diffuse(in.direction),
+    const bool listed = _lights && end.emitter < 0;  // the list's lights stand for the environment's
+    const Arrivals::Light a{listed ? glm::dvec3(0.0) : light * surface.diffuse(in.direction),
                             light * surface.glossy(in.direction)};
-    if (!isBlack(a.diffuse) || !isBlack(a.specular)) add(*start.hit, in.direction, a, arrivals);
+    if (!isBlack(a.diffuse) || !isBlack(a.specular)) add(*start.hit, in.direction, end, a, arrivals);
 }
 
 void LightTransport::sampleDirect(const std::vector<Start>& starts, double weight, Arrivals& arrivals) const
 {
     // Kept from call to call: allocations would cost more than the rays. Step by step for all samples, so that the arithmetic of
     // one need not wait for that of another.
-    thread_local std::vector<const Start*> takers, aimed;
+    thread_local Aims aims;
     thread_local std::vector<glm::dvec2> squares;
-    thread_local std::vector<glm::dvec3> directions;
     thread_local std::vector<Incident> incidents;
-    takers.clear();
-    aimed.clear();
+    aims.takers.clear();
+    aims.aimed.clear();
+    aims.directions.clear();
     squares.clear();
-    directions.clear();
     const bool mis = _options.estimator == ReferenceOptions::MIS;
     const auto aim = [&](const Start& start, const glm::dvec3& l) {
         if (start.surface->cosine(l) <= 0.0) return;
-        aimed.push_back(&start);
-        directions.push_back(l);
+        aims.aimed.push_back(&start);
+        aims.directions.push_back(l);
     };
     for (const Start& start : starts) {
         const Reflection& surface = *start.surface;
         if (surface.isMirror()) {
             const glm::dvec3& l = surface.mirrorDirection();
-            add(*start.hit, l, {glm::dvec3(0.0), weight * surface.mirrorWeight() * _environment.from(l).radiance}, arrivals);
+            const glm::dvec3 seen = weight * surface.mirrorWeight() * _environment.from(l).radiance;
+            add(*start.hit, l, RayEnd(), {glm::dvec3(0.0), seen}, arrivals);
         }
-        const bool diffuse = surface.hasDiffuse() && !_lights;
+        const bool diffuse = surface.hasDiffuse() && (!_lights || !_emitters.empty());
         if (!diffuse && !surface.hasLobe()) continue;
         const glm::dvec2 u = start.random->square();
         if (mis) {
-            takers.push_back(&start);
+            aims.takers.push_back(&start);
             squares.push_back(u);
             if (surface.hasDiffuse()) aim(start, surface.sampleCosine(start.random->square()));
             if (surface.hasLobe()) aim(start, surface.sampleLobe(start.random->square()));
@@ -120,11 +124,44 @@ void LightTransport::sampleDirect(const std::vector<Start>& starts, double weigh
             aim(start, _options.estimator == ReferenceOptions::UNIFORM ? surface.sampleHemisphere(u) : surface.sampleCosine(u));
         }
     }
-    _environment.fromEach(directions, mis, incidents);
-    for (size_t i = 0; i < aimed.size(); ++i) add(*aimed[i], incidents[i], weight, arrivals);
-    if (!mis) return;
-    _environment.sampleEach(squares, incidents);
-    for (size_t i = 0; i < takers.size(); ++i) add(*takers[i], incidents[i], weight, arrivals);
+    _environment.fromEach(aims.directions, mis, incidents);
+    for (size_t i = 0; i < aims.aimed.size(); ++i) add(*aims.aimed[i], incidents[i], RayEnd(), weight, arrivals);
+    if (mis) _environment.sampleEach(squares, incidents);
+    for (size_t i = 0; i < aims.takers.size(); ++i) add(*aims.takers[i], incidents[i], RayEnd(), weight, arrivals);
+    if (!_emitters.empty()) addEmitters(starts, aims, weight, arrivals);
+}
+
+// By the same directions, and by points of the emitters.
+void LightTransport::addEmitters(const std::vector<Start>& starts, const Aims& aims, double weight, Arrivals& arrivals) const
+{
+    thread_local EmitterSampler::Outlook outlook;
+    thread_local std::vector<EmitterSampler::Arrival> met;
+    const SurfaceHit* from = nullptr;
+    // Samples of one surface follow each other.
+    const auto look = [&](const Start& start) {
+        if (start.hit != from) _emitters.look(start.hit->position, start.surface->normal(), outlook);
+        from = start.hit;
+    };
+    for (size_t i = 0; i < aims.aimed.size(); ++i) {
+        look(*aims.aimed[i]);
+        _emitters.meet(outlook, aims.directions[i], met);
+        for (const auto& a : met) add(*aims.aimed[i], {a.direction, a.radiance, a.density}, a.end(), weight, arrivals);
+    }
+    for (const Start* start : aims.takers) {
+        look(*start);
+        EmitterSampler::Arrival a;
+        const double choice = start->random->number();
+        if (_emitters.sample(outlook, choice, start->random->square(), a))
+            add(*start, {a.direction, a.radiance, a.density}, a.end(), weight, arrivals);
+    }
+    for (const Start& start : starts) {
+        if (!start.surface->isMirror()) continue;
+        look(start);
+        _emitters.meet(outlook, start.surface->mirrorDirection(), met);
+        for (const auto& a : met)
+            add(*start.hit, a.direction, a.end(), {glm::dvec3(0.0), weight * start.surface->mirrorWeight() * a.radiance},
+                arrivals);
+    }
 }
 
 void LightTransport::addLights(const SurfaceHit& hit, const Reflection& surface, double weight, Arrivals& arrivals) const
@@ -133,7 +170,7 @@ void LightTransport::addLights(const SurfaceHit& hit, const Reflection& surface,
         const glm::dvec3 l(light.direction.x(), light.direction.y(), light.direction.z());
         const glm::dvec3 flux(light.flux.x(), light.flux.y(), light.flux.z());
         const glm::dvec3 d = flux * surface.diffuse(l) * (weight * surface.cosine(l));
-        if (!isBlack(d)) add(hit, l, {d, glm::dvec3(0.0)}, arrivals);
+        if (!isBlack(d)) add(hit, l, RayEnd(), {d, glm::dvec3(0.0)}, arrivals);
     }
 }
 
@@ -152,7 +189,7 @@ DirectLight LightTransport::resolve(const Arrivals& arrivals) const
     }
     thread_local std::vector<float> through;
     through.resize(arrivals.rays.size());
-    _scene.transmittance(arrivals.rays.data(), arrivals.rays.size(), through.data());
+    _scene.transmittance(arrivals.rays.data(), arrivals.rays.size(), through.data(), arrivals.ends.data());
     raysOfThread += arrivals.rays.size();
     result.occlusion = arrivals.below.diffuse;
     for (size_t i = 0; i < through.size(); ++i) {
@@ -163,7 +200,8 @@ DirectLight LightTransport::resolve(const Arrivals& arrivals) const
         if (!_classes || isBlack(kept)) continue;
         SurfaceHit blocker;
         ++raysOfThread;
-        if (!_scene.nearest(arrivals.rays[i], RayScene::ANY, 0, blocker)) continue;
+        if (!_scene.nearest(arrivals.rays[i], RayScene::ANY, 0, blocker) || blocker.distance > arrivals.ends[i].distance)
+            continue;
         const BlockerClasses::Class c = _classes->of(blocker);
         if (c == BlockerClasses::OUTSIDE) result.outside += kept;
         if (c == BlockerClasses::HIDDEN) result.hidden += kept;
@@ -231,7 +269,9 @@ glm::dvec3 LightTransport::indirect(const Start& start, std::uint64_t seed) cons
         next.assign(1, {&at, &reflection, &random});
         sampleDirect(next, 1.0, arrivals);
         if (_lights) addLights(at, reflection, 1.0, arrivals);
-        sum += throughput * (reflection.emission() + resolve(arrivals).visible());
+        // An emitter's light has been counted where the path comes from.
+        const glm::dvec3 emission = at.mesh->emitter < 0 ? reflection.emission() : glm::dvec3(0.0);
+        sum += throughput * (emission + resolve(arrivals).visible());
     }
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One point's light: direct, by the environment, and along paths.
+// One point's light: direct, by the environment and the area lights, and along paths.
 #pragma once
 
+#include "EmitterSampler.h"
 #include "RandomNumbers.h"
 #include "Reflection.h"
 
@@ -44,7 +45,12 @@ class LightTransport
   public:
     LightTransport(const RayScene& scene, const Environment& environment, const LightList* lights,
                    const ReferenceOptions& options, const BlockerClasses* classes)
-        : _scene(scene), _environment(environment), _lights(lights), _options(options), _classes(classes)
+        : _scene(scene),
+          _environment(environment),
+          _emitters(scene.scene().emitters),
+          _lights(lights),
+          _options(options),
+          _classes(classes)
     {
     }
 
@@ -62,6 +68,7 @@ class LightTransport
             glm::dvec3 specular{0, 0, 0};
         };
         std::vector<Ray> rays;
+        std::vector<RayEnd> ends;
         std::vector<Light> lights;
         Light below;  // from below the surface's own triangle: whatever the interpolated normal says, nothing comes from there
 
@@ -82,13 +89,21 @@ class LightTransport
     static size_t takeRays();
 
   private:
-    void add(const Start& start, const Incident& in, double weight, Arrivals& arrivals) const;
-    static void add(const SurfaceHit& hit, const glm::dvec3& direction, const Arrivals::Light& light, Arrivals& arrivals);
+    // What samples aim at: starts, one for each direction; and those that take a sample of each source of light.
+    struct Aims {
+        std::vector<const Start*> aimed, takers;
+        std::vector<glm::dvec3> directions;
+    };
+    void addEmitters(const std::vector<Start>& starts, const Aims& aims, double weight, Arrivals& arrivals) const;
+    void add(const Start& start, const Incident& in, const RayEnd& end, double weight, Arrivals& arrivals) const;
+    static void add(const SurfaceHit& hit, const glm::dvec3& direction, const RayEnd& end, const Arrivals::Light& light,
+                    Arrivals& arrivals);
     double density(const Reflection& surface, const Incident& in) const;
     bool continuePath(const Reflection& surface, RandomPoints& random, glm::dvec3& direction, glm::dvec3& weight) const;
 
     const RayScene& _scene;
     const Environment& _environment;
+    const EmitterSampler _emitters;
     const LightList* _lights;
     const ReferenceOptions& _options;
     const BlockerClasses* _classes;

@@ -280,18 +280,26 @@ Picture Reference::integrand(int x, int y, int width, bool occluded) const
     SurfaceHit hit;
     if (!_scene.nearest(ray, RayScene::CAMERA, 0, hit)) return picture;
     const Reflection surface(hit, ray, surfaceColor(hit));
+    const EmitterSampler emitters(_scene.scene().emitters);
+    EmitterSampler::Outlook outlook;
+    emitters.look(hit.position, surface.normal(), outlook);
+    std::vector<EmitterSampler::Arrival> met;
+    const auto through = [&](const glm::dvec3& l, const RayEnd& end) {
+        if (!occluded) return 1.0;
+        if (glm::dot(l, hit.facet) <= 0.0) return 0.0;
+        float share = 1.0f;
+        const Ray shadow = RayScene::leave(hit, l);
+        _scene.transmittance(&shadow, 1, &share, &end);
+        return double(share);
+    };
     for (int row = 0; row < picture.height; ++row)
         for (int column = 0; column < picture.width; ++column) {
             const double theta = pi * (1.0 - (row + 0.5) / picture.height);
             const glm::dvec3 l = aboutPole(std::cos(theta), 0.5 - (column + 0.5) / picture.width);
-            glm::dvec3 f = _environment.from(l).radiance * (surface.diffuse(l) + surface.glossy(l)) * surface.cosine(l);
-            float through = 1.0f;
-            const Ray shadow = RayScene::leave(hit, l);
-            if (occluded && glm::dot(l, hit.facet) <= 0.0)
-                through = 0.0f;
-            else if (occluded)
-                _scene.transmittance(&shadow, 1, &through);
-            f *= double(through);
+            glm::dvec3 radiance = _environment.from(l).radiance * through(l, RayEnd());
+            emitters.meet(outlook, l, met);
+            for (const auto& a : met) radiance += a.radiance * through(l, a.end());
+            const glm::dvec3 f = radiance * (surface.diffuse(l) + surface.glossy(l)) * surface.cosine(l);
             float* p = picture.at(column, row);
             for (int k = 0; k < 3; ++k) p[k] = float(f[k]);
             p[3] = 1.0f;

@@ -2,12 +2,15 @@
 #include "MeshBuilder.h"
 #include "SceneState.h"
 
+#include "surface/AreaLightPlace.h"
+
 #include <osg/PagedLOD>
 #include <osg/ProxyNode>
 #include <osgDB/ReadFile>
 #include <osgUtil/CullVisitor>
 #include <osgUtil/RenderStage>
 
+#include <algorithm>
 #include <unordered_map>
 
 namespace osgEnvLight
@@ -48,6 +51,7 @@ class Flattener
         cull();
         collect(*_stage);
         findOrigin();
+        placeEmitters();
         for (const osgUtil::RenderLeaf* leaf : _leaves) append(*leaf);
         for (const TriangleMesh& mesh : _result.meshes) {
             _result.triangles += mesh.triangles.size();
@@ -118,6 +122,31 @@ class Flattener
         if (box.valid()) _result.origin = glm::dvec3(box.center().x(), box.center().y(), box.center().z());
     }
 
+    void placeEmitters()
+    {
+        const osg::Matrixd sceneFromEye = osg::Matrixd::inverse(_camera.getViewMatrix()) *
+                                          osg::Matrixd::translate(-_result.origin.x, -_result.origin.y, -_result.origin.z);
+        for (const MetAreaLight& met : takeAreaLights(*_stage)) {
+            Emitter emitter;
+            const std::string problem = met.emitter(sceneFromEye, emitter);
+            std::vector<std::string>& said = _result.leftOut;
+            if (!problem.empty() && std::find(said.begin(), said.end(), problem) == said.end()) said.push_back(problem);
+            if (!problem.empty() || !(emitter.flux() > 0.0)) continue;
+            _areaLights.push_back(met);
+            _result.emitters.push_back(std::move(emitter));
+        }
+    }
+
+    // Whose surface a leaf is; -1: of none.
+    int emitterOf(const osgUtil::RenderLeaf& leaf) const
+    {
+        const AreaLightPlace* place = AreaLightPlace::of(*leaf.getDrawable());
+        const auto found = std::find_if(_areaLights.begin(), _areaLights.end(), [&](const MetAreaLight& met) {
+            return met.place == place && met.eyeFromLight == leaf._modelview;
+        });
+        return found == _areaLights.end() ? -1 : int(found - _areaLights.begin());
+    }
+
     const SceneState& effective(const osgUtil::StateGraph* graph)
     {
         const auto found = _states.find(graph);
@@ -143,6 +172,7 @@ class Flattener
         const SceneState& state = effective(leaf._parent);
         std::set<std::string> leftOut;
         TriangleMesh mesh;
+        mesh.emitter = emitterOf(leaf);
         mesh.material = state.material(*geometry, _linearColors, _textures, leftOut);
         const osg::Vec3d axis = osg::Matrixd::transform3x3(osg::Vec3d(0, 0, 1), worldFromModel(leaf));
         mesh.material.axis = glm::dvec3(axis.x(), axis.y(), axis.z());
@@ -162,6 +192,7 @@ class Flattener
     osg::ref_ptr<osgUtil::RenderStage> _stage;
     osg::ref_ptr<osg::RefMatrix> _projection;
     std::vector<const osgUtil::RenderLeaf*> _leaves;
+    std::vector<MetAreaLight> _areaLights;  // of the emitters
     std::unordered_map<const osgUtil::StateGraph*, SceneState> _states;
     std::map<std::string, int> _leftOut;
     TextureCache _textures;

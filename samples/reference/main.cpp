@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// envlight-reference: the truth of a scene under its environment, ray traced.
+// envlight-reference: the truth of a scene under its environment and area lights, ray traced.
 #include "ImageFile.h"
 #include "Numbers.h"
 #include "PluginPath.h"
@@ -178,14 +178,16 @@ int main(int argc, char** argv)
         "The picture that an exact renderer would make of the scene: ray traced, unbiased, with its own uncertainty.");
     a.scene.addTo(line);
     line.add("--paths", a.paths,
-             "unoccluded: the environment unhindered; direct (default): stopped by the scene; full: from surface to surface")
+             "unoccluded: environment and area lights unhindered; direct (default): stopped by the scene; full: from surface to "
+             "surface")
         .oneOf(pathNames);
     line.add("--term", a.term,
              "a part of the picture, by --paths: beauty, diffuse, specular, occlusion, visibility, sun (the map's suns "
              "alone), indirect, emission, albedo, normal, depth")
         .oneOf(termNames);
     line.add("--estimator", a.estimator,
-             "mis (default): map, lobe and cosine together; cosine or uniform: nothing is shared with the shaders but the "
+             "mis (default): map, area lights, lobe and cosine together; cosine or uniform: nothing is shared with the shaders "
+             "but the "
              "BRDF's value, the same mean with far more noise")
         .oneOf(estimatorNames);
     line.add("--spp", a.options.samples, "samples per pixel, default 256").within(1u, 1u << 24);

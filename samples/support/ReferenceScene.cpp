@@ -66,6 +66,7 @@ void ReferenceScene::keepSuns()
     const osgEnvLight::EnvironmentMap& map = *_lit.getEnvironmentMap();
     const osgEnvLight::SunSplit split = osgEnvLight::splitSuns(*radianceOf(_lit), maximumSuns);
     _environment = std::make_unique<osgEnvLight::SunEnvironment>(split.suns, map.getRotation(), map.getIntensity());
+    _triangles.emitters.clear();
     makeReference();
 }
 

@@ -143,7 +143,20 @@ void ContentHash::scene(const osgEnvLight::TriangleScene& scene)
         elements(mesh.colors);
         elements(mesh.texCoords);
         elements(mesh.triangles);
+        value(mesh.emitter);
     }
+    value(scene.emitters.size());
+    for (const osgEnvLight::Emitter& e : scene.emitters) emitter(e);
+}
+
+void ContentHash::emitter(const osgEnvLight::Emitter& e)
+{
+    value(e.shape);
+    for (const osg::Vec3d& v : {e.center, e.u, e.v, e.normal, e.radiance}) bytes(v.ptr(), 3 * sizeof(double));
+    elements(e.vertices);
+    elements(e.triangles);
+    value(e.twoSided);
+    value(e.area);
 }
 
 void ContentHash::material(const osgEnvLight::SurfaceMaterial& m)

@@ -45,6 +45,7 @@ class ContentHash
 
   private:
     void material(const osgEnvLight::SurfaceMaterial& material);
+    void emitter(const osgEnvLight::Emitter& emitter);
 
     std::uint64_t _hash = 14695981039346656037u;
 };
