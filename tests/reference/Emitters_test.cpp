@@ -154,6 +154,22 @@ TEST(ReferenceEmitters, WhatStandsBetweenHidesThem)
         }
 }
 
+// In a scene so large that its triangles are rounded by a tenth of the gap between lamp and floor.
+TEST(ReferenceEmitters, ALampDoesNotHideItself)
+{
+    const osg::ref_ptr<osg::Node> far =
+        lambert(makeQuad(osg::Vec3d(2e4, 1e4, 3e4), osg::Vec3d(1, 0, 0), osg::Vec3d(0, 1, 0)), 0.0);
+    for (const auto& light : {rectangle(osg::Vec3d(0, 0, 0.0117), 2, 2), sphere(osg::Vec3d(0, 0, 0.6117), 0.6)}) {
+        const auto scene = together({whiteFloor(), far, light});
+        const Traced view = parallelView(*scene, osg::Vec3d(0, 0, 5e-3), osg::Vec3d(0, 0, -1), 1e-4, 8);
+        for (const auto estimator : allEstimators) {
+            const ReferenceResult result = view.render(night, options(estimator), allTerms);
+            EXPECT_NEAR(1.0, estimateOf(result, Layer::DIFFUSE).value, 0.1) << nameOf(estimator);
+            EXPECT_EQ(0.0, estimateOf(result, Layer::OCCLUSION).value) << nameOf(estimator);
+        }
+    }
+}
+
 TEST(ReferenceEmitters, APaneLetsThroughWhatItsOpacityLeaves)
 {
     const osg::ref_ptr<osg::Geode> pane = makeQuad(osg::Vec3d(-30, -30, 0.5), osg::Vec3d(60, 0, 0), osg::Vec3d(0, 60, 0));
