@@ -110,6 +110,7 @@ void SceneState::setHostMaterial(SurfaceMaterial& m, bool linearColors) const
 void SceneState::setOwnMaterial(SurfaceMaterial& m) const
 {
     if (emits()) m.emission = rgb(uniform("envlightEmission", osg::Vec3f()));
+    if (isAreaLight()) m.emission = rgb(uniform("envlightLight", osg::Vec3f()));
     const bool metallic = brdf() == Material::COOK_TORRANCE || brdf() == Material::BECKMANN || brdf() == Material::STRAUSS;
     m.color = glm::dvec4(rgb(uniform(metallic ? "envlightBaseColor" : "envlightDiffuse", osg::Vec3f())), m.color.a);
     m.metalness = double(uniform("envlightMetalness", 0.0f));
