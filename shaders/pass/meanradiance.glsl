@@ -12,7 +12,7 @@ vec3 meanRadiance(vec3 d)
     vec4 all = texelFetch(bounceMap, ivec2(0), 0);
     vec4 facing = all;
     for (int k = 0; k < 3; ++k) facing -= d[k] * texelFetch(bounceMap, ivec2(k + 1, 0), 0);
-    vec3 mean = max(facing.rgb, vec3(0.0)) / max(facing.a, 1e-4 * all.a);
+    vec3 mean = max(facing.rgb, vec3(0.0)) / max(max(facing.a, 1e-4 * all.a), 1e-30);
     return mean / (1.0 - min(texelFetch(bounceMap, ivec2(4, 0), 0).rgb / max(all.a, 1e-30), 0.95));
 }
 
