@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Shadows of area lights beside ray-traced direct light, in the scenes of tests/bench/area_study.
+#include <AreaScenes.h>
+
+#include <gtest/gtest.h>
+
+using osgEnvLight::LitScene;
+
+namespace
+{
+
+const int size = 128;
+const unsigned samples = 256;
+
+struct Bound {
+    const char* scene;
+    double error;  // tRMSE; measured by this test, times 1.15 for another CPU's last bits and the reference's noise
+};
+
+class AreaShadows : public testing::TestWithParam<Bound>
+{
+};
+
+}  // namespace
+
+TEST_P(AreaShadows, AreThoseOfTheReference)
+{
+    SceneRenderer renderer(size, size);
+    const osg::ref_ptr<LitScene> lit = suite::makeAreaScene(GetParam().scene, renderer);
+    const suite::AreaTruth truth = suite::tracedArea(*lit, renderer, samples);
+    const Picture picture = renderer.render(lit, 2);
+    const double error = osgEnvLight::compare(picture, truth.picture, truth.error, truth.mask).tRmse;
+    RecordProperty("tRMSE", std::to_string(error));
+    EXPECT_LT(error, GetParam().error);
+    // Without shadows it is farther off by more: the test sees them.
+    lit->getSettings()->occlusion = false;
+    EXPECT_GT(osgEnvLight::compare(renderer.render(lit, 2), truth.picture, truth.error, truth.mask).tRmse,
+              1.5 * GetParam().error);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, AreaShadows,
+                         testing::Values(Bound{"table", 0.0108}, Bound{"room", 0.0112}, Bound{"grille", 0.0194},
+                                         Bound{"strips", 0.0537}, Bound{"many", 0.0145}),
+                         [](const auto& i) { return std::string(i.param.scene); });
