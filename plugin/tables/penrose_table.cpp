@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Prints osgEnvLight/PenroseTable.cpp.
+// Prints lights/PenroseTable.cpp.
 #include "PenroseRelaxation.h"
 
 #include <cstdio>
@@ -10,9 +10,7 @@ int main()
     std::puts(
         "// SPDX-License-Identifier: MIT\n"
         "// Made by envlight_penrose_table (plugin/tables).\n"
-        "#include " lights /
-        PenroseTable.h
-        "\n\n"
+        "#include \"lights/PenroseTable.h\"\n\n"
         "namespace osgEnvLight\n{\n\n"
         "// clang-format off\n"
         "const PenroseTable penroseTable = {{");
