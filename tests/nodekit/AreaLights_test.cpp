@@ -99,6 +99,26 @@ TEST_F(AreaLights, GiveAPlaneWhatTheClosedFormsSay)
     EXPECT_EQ("1 area light, each by its closed form", reason(*lit, "arealights"));
 }
 
+// An arrow whose first vertex is the mean of all, and the two triangles that it is made of.
+TEST_F(AreaLights, OfAPolygonSendWhatItsPartsSend)
+{
+    const osg::Vec3 notch(0, 0, 1.5f), left(-1, 1, 1.5f), tip(2, 0, 1.5f), right(-1, -1, 1.5f);
+    const auto polygon = [](const std::vector<osg::Vec3>& corners) {
+        const osg::ref_ptr<AreaLight> light = new AreaLight;
+        light->setPolygon(*osg::ref_ptr<osg::Vec3Array>(new osg::Vec3Array(corners.begin(), corners.end())));
+        light->setVisible(false);
+        return light;
+    };
+    const osg::ref_ptr<AreaLight> arrow = polygon({notch, left, tip, right});
+    lit->addChild(arrow);
+    const double whole = middle()[0];
+    EXPECT_GT(whole, 0.1);
+    lit->removeChild(arrow);
+    lit->addChild(polygon({notch, left, tip}));
+    lit->addChild(polygon({notch, tip, right}));
+    EXPECT_NEAR(whole, middle()[0], exact);
+}
+
 TEST_F(AreaLights, LightTheSideTheyFace)
 {
     const osg::ref_ptr<AreaLight> light = makeRectangle();

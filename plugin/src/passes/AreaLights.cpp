@@ -9,6 +9,7 @@
 #include "surface/LtcTable.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace osgEnvLight
 {
@@ -74,6 +75,15 @@ void write(osg::Image& image, size_t light, unsigned row, const osg::Vec3d& v, d
     out[3] = float(w);
 }
 
+// u and v; of a polygon two vectors whose cross product is its area along its normal.
+std::pair<osg::Vec3d, osg::Vec3d> axesOf(const Emitter& light)
+{
+    if (light.shape != AreaLight::POLYGON) return {light.u, light.v};
+    const auto shorter = [](const osg::Vec3d& a, const osg::Vec3d& b) { return a.length2() < b.length2(); };
+    const osg::Vec3d& u = *std::max_element(light.vertices.begin(), light.vertices.end(), shorter);
+    return {u, (light.normal ^ u) * (light.area / u.length2())};
+}
+
 // As pass/arealights.glsl reads them.
 osg::ref_ptr<osg::Image> lightImage(const std::vector<Emitter>& lights, const osg::Vec3d& origin)
 {
@@ -84,10 +94,7 @@ osg::ref_ptr<osg::Image> lightImage(const std::vector<Emitter>& lights, const os
     image->setInternalTextureFormat(GL_RGBA32F_ARB);
     for (size_t i = 0; i < lights.size(); ++i) {
         const Emitter& light = lights[i];
-        // Of a polygon their cross product is its area along its normal.
-        const bool isPolygon = light.shape == AreaLight::POLYGON;
-        const osg::Vec3d u = isPolygon ? light.vertices.front() : light.u;
-        const osg::Vec3d v = isPolygon ? (light.normal ^ u) * (light.area / u.length2()) : light.v;
+        const auto [u, v] = axesOf(light);
         write(*image, i, 0, light.center - origin, light.extent() * light.extent());
         write(*image, i, 1, light.radiance, light.shape + (light.twoSided ? 4 : 0) + 8 * int(light.vertices.size()));
         write(*image, i, 2, u, 0.0);
