@@ -3,11 +3,15 @@
 #include <OnScreen.h>
 #include <SceneRenderer.h>
 
+#include <osgEnvLight/AreaLight>
+
 #include <osg/MatrixTransform>
 #include <osg/ShapeDrawable>
 #include <osgViewer/CompositeViewer>
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
@@ -85,6 +89,10 @@ osg::ref_ptr<osg::Image> run(osgViewer::ViewerBase::ThreadingModel model, bool t
 {
     osg::ref_ptr<LitScene> lit = makeScene();
     lit->getSettings()->bounce = Settings::BOUNCE_MEAN;
+    lit->getSettings()->areaPoints = 16;
+    lit->getSettings()->areaMapSize = 32;
+    const osg::ref_ptr<osgEnvLight::AreaLight> lamp = new osgEnvLight::AreaLight;
+    lit->addChild(lamp);
     lit->getSettings()->regeneration = Settings::BACKGROUND;  // all maps anew in each of these frames would take hours
     osg::ref_ptr<osg::Group> root = new osg::Group;
     root->addChild(lit);
@@ -103,6 +111,7 @@ osg::ref_ptr<osg::Image> run(osgViewer::ViewerBase::ThreadingModel model, bool t
     for (int i = 0; i < frames; ++i) {
         lit->getEnvironmentMap()->setIntensity(0.5 + 0.02 * (i % 40));
         lit->getEnvironmentMap()->setRotation(3.0 * (i % 40));
+        lamp->setSphere(osg::Vec3d(std::cos(0.1 * i), std::sin(0.1 * i), 1.5), 0.1 + 0.002 * (i % 40));
         if (resize && i >= 10 && i < 30) b.view->getCamera()->setViewport(128, 0, 128 - i, 64 + i);
         if (resize && i == 30) b.view->getCamera()->setViewport(128, 0, 128, 128);
         viewer.frame(0.1 * i);
