@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "HeadlessViewer.h"
 
+#include "TextureImage.h"
 #include "gl/TargetTexture.h"
 
-#include <algorithm>
 #include <chrono>
 
 HeadlessViewer::HeadlessViewer(osgEnvLight::LitScene& lit, const SceneOptions& options) : _lit(lit)
@@ -36,19 +36,10 @@ double HeadlessViewer::draw(double time)
 
 osg::ref_ptr<osg::Image> HeadlessViewer::image()
 {
-    osg::State& state = *_window->getState();
-    osg::ref_ptr<osg::Image> image = new osg::Image;
-    state.setActiveTextureUnit(0);
-    _texture->getTextureObject(state.getContextID())->bind();
-    image->readImageFromCurrentTexture(state.getContextID(), false, GL_FLOAT);
-    state.haveAppliedTextureAttribute(0, osg::StateAttribute::TEXTURE);
-    return image;
+    return readTexture(*_texture, *_window->getState());
 }
 
 osgEnvLight::Picture HeadlessViewer::picture()
 {
-    const osg::ref_ptr<osg::Image> read = image();
-    osgEnvLight::Picture picture(read->s(), read->t());
-    std::copy_n(reinterpret_cast<const float*>(read->data()), picture.rgba.size(), picture.rgba.begin());
-    return picture;
+    return pictureOf(*image());
 }
