@@ -35,7 +35,11 @@ osg::ref_ptr<osgEnvLight::LitScene> loadScene(const std::string& name)
 
 void SceneOptions::addTo(CommandLine& line)
 {
-    line.add("SCENE", scene, "a model, or a scene description (.envlight)").required();
+    CommandLine::Option file = line.add("SCENE", scene, "a model, or a scene description (.envlight)");
+    if (interactive)
+        line.add("MAP", map, "environment map, as --env");
+    else
+        file.required();
     line.add("--env", map, "environment map: a file, sky or studio");
     line.add("--env-layout", layout, "layout of the map where its shape does not say it: " + osgEnvLight::mapLayoutChoices());
     line.add("--env-rotation", rotation, "degrees, counter-clockwise about +Z");
@@ -44,7 +48,7 @@ void SceneOptions::addTo(CommandLine& line)
     line.add("--target", target, "x,y,z").separatedBy(',').ofValues(3);
     line.add("--up", up, "x,y,z").separatedBy(',').ofValues(3);
     line.add("--fovy", fovy, "vertical opening angle, degrees").within(0.01, 179.0);
-    line.add("--size", size, "WIDTHxHEIGHT, default 512x512");
+    line.add("--size", size, "WIDTHxHEIGHT, default " + size);
     line.add("--set", settings,
              "name=value of a property of Settings (switches take on | off), or preset=low | default | high | interior; "
              "repeatable")
@@ -63,7 +67,11 @@ void SceneOptions::check()
 
 osg::ref_ptr<osgEnvLight::LitScene> SceneOptions::load(bool linear) const
 {
-    osg::ref_ptr<osgEnvLight::LitScene> lit = loadScene(scene);
+    osg::ref_ptr<osgEnvLight::LitScene> lit;
+    if (scene.empty())
+        lit = new osgEnvLight::LitScene;
+    else
+        lit = loadScene(scene);
     std::string error;
     osgEnvLight::EnvironmentMap& environment = *lit->getEnvironmentMap();
     // A scene's layout is that of its own map.
@@ -74,18 +82,23 @@ osg::ref_ptr<osgEnvLight::LitScene> SceneOptions::load(bool linear) const
     if (!map.empty() && !environment.load(map, nullptr, error)) throw std::runtime_error(error);
     if (rotation) environment.setRotation(*rotation);
     lit->getSettings()->output = linear ? osgEnvLight::Settings::LINEAR : osgEnvLight::Settings::DISPLAY;
-    // One frame is all that these programs show.
-    lit->getSettings()->regeneration = osgEnvLight::Settings::IMMEDIATE;
-    for (const std::string& s : settings) {
-        const size_t equals = s.find('=');
-        if (equals == std::string::npos) throw BadArguments("--set is '" + s + "', expected name=value");
-        if (!lit->getSettings()->set(s.substr(0, equals), s.substr(equals + 1), error)) throw BadArguments(error);
-    }
+    // One frame is all that the others show.
+    if (!interactive) lit->getSettings()->regeneration = osgEnvLight::Settings::IMMEDIATE;
+    applySettings(*lit->getSettings());
     if (!environment.radiance(error)) throw std::runtime_error(error);
     return lit;
 }
 
-// The camera of the command line, else the scene's, else null: OSG's home position.
+void SceneOptions::applySettings(osgEnvLight::Settings& changed) const
+{
+    std::string error;
+    for (const std::string& s : settings) {
+        const size_t equals = s.find('=');
+        if (equals == std::string::npos) throw BadArguments("--set is '" + s + "', expected name=value");
+        if (!changed.set(s.substr(0, equals), s.substr(equals + 1), error)) throw BadArguments(error);
+    }
+}
+
 std::optional<osgEnvLight::HomeView> SceneOptions::chosenView(const osgEnvLight::LitScene& lit) const
 {
     std::optional<osgEnvLight::HomeView> view = lit.getHomeView();

@@ -13,6 +13,7 @@
 #include <vector>
 
 struct SceneOptions {
+    bool interactive = false;  // starts without a scene, too, takes MAP after it, and does not wait for a new map's light
     std::string scene;
     std::string map;
     std::string layout;
@@ -33,13 +34,16 @@ struct SceneOptions {
     /** Throws BadArguments for what no file need be read to refuse. */
     void check();
 
-    /** The scene under its map and settings; linear: output is scene-linear radiance. Throws BadArguments, or std::runtime_error
-     * with the reader's message.*/
+    /** The scene under its map and settings (applySettings); linear: output is scene-linear radiance. Throws BadArguments, or
+     * std::runtime_error with the reader's message.*/
     osg::ref_ptr<osgEnvLight::LitScene> load(bool linear) const;
+
+    /** Those of --set. Throws BadArguments. */
+    void applySettings(osgEnvLight::Settings& changed) const;
 
     /** Projection and view: of the command line, else the scene's own, else osgviewer's home position. */
     void setCamera(osgEnvLight::LitScene& lit, osg::Camera& camera) const;
 
-  private:
+    /** The camera of the command line, else the scene's, else none. */
     std::optional<osgEnvLight::HomeView> chosenView(const osgEnvLight::LitScene& lit) const;
 };
