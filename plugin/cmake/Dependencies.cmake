@@ -18,6 +18,14 @@ find_path(ENVLIGHT_STB_INCLUDE_DIR stb_image.h PATH_SUFFIXES stb)
 if(ENVLIGHT_TINYGLTF_INCLUDE_DIR AND ENVLIGHT_STB_INCLUDE_DIR)
     set(ENVLIGHT_GLTF_FOUND ON)
 endif()
+# envlight-viewer; Debian's archive of Dear ImGui has the backends for GLFW and OpenGL, and leaves stb to the linker.
+find_package(glfw3 3.3 QUIET CONFIG)
+find_path(ENVLIGHT_IMGUI_INCLUDE_DIR backends/imgui_impl_opengl3.h PATH_SUFFIXES imgui)
+find_library(ENVLIGHT_IMGUI_LIBRARY imgui)
+find_library(ENVLIGHT_STB_LIBRARY stb)
+if(glfw3_FOUND AND ENVLIGHT_IMGUI_INCLUDE_DIR AND ENVLIGHT_IMGUI_LIBRARY AND ENVLIGHT_STB_LIBRARY)
+    set(ENVLIGHT_VIEWER_FOUND ON)
+endif()
 find_program(GLSLANG_VALIDATOR glslangValidator)
 
 # The host's libraries by a name that the installed package can define again (Install.cmake).

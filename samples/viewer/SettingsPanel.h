@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <osgEnvLight/LitScene>
+
+/** The map's rotation, presets and all settings in their groups, to be changed. For a window of Dear ImGui. True if one was. */
+bool showSettings(osgEnvLight::LitScene& lit);
