@@ -125,7 +125,7 @@ TEST_F(BadInput, SceneDescriptions)
         {start + ", \"lights\": [{\"shape\": \"rectangle\", \"center\": [0, 0, 0], \"u\": [1, 0, 0], \"v\": [2, 0, 0], "
                  "\"radiance\": [1, 1, 1]}]}",
          {"'lights[0]'", "has no area"}},
-        {start + ", \"lights\": [{\"shape\": \"polygon\", \"vertices\": [[0, 0, 0], [1, 1, 0], [1, 0, 0], [0, 1, 0]], "
+        {start + ", \"lights\": [{\"shape\": \"polygon\", \"vertices\": [[0, 0, 0], [2, 2, 0], [2, 0, 0], [0, 1, 0]], "
                  "\"radiance\": [1, 1, 1]}]}",
          {"'lights[0]'", "edges that cross"}},
         {start + ", \"lights\": [{\"shape\": \"polygon\", \"vertices\": [[0, 0, 0], [1, 1, 0]], \"radiance\": [1, 1, 1]}]}",
@@ -151,7 +151,7 @@ TEST_F(BadInput, SceneDescriptions)
          {"'materials.gold.smoothness'", "0..1"}},
         {start + ", \"materials\": {\"gold\": {\"brdf\": \"blinn-phong\", \"diffuse\": [1, 1, 1], \"specular\": [1, 1, 1]}}}",
          {"'materials.gold'", "diffuse + specular"}},
-        {start + ", \"lights\": [{}]}", {"'lights'"}},
+        {start + ", \"lights\": [{}]}", {"'lights[0]'", "shape"}},
     };
     folder.write("two.hdr", hdr(2, 1, std::string(8, '\x80')));
     for (const Case& c : cases) {
