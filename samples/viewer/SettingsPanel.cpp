@@ -31,6 +31,7 @@ const Group groups[] = {
     {"Occlusion on the screen", OcclusionSettings::properties},
     {"Filter", FilterSettings::properties},
     {"Lights of the scene", SceneLightSettings::properties},
+    {"Area lights", AreaLightSettings::properties},
     {"Indirect light", BounceSettings::properties},
 };
 
