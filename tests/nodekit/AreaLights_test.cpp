@@ -234,6 +234,31 @@ TEST_F(AreaLights, DoNotShineThroughWalls)
     EXPECT_LT(middle()[0], 1e-4);
 }
 
+// A lamp over a box on a floor, moved and scaled, seen from the same place relative to it.
+TEST_F(AreaLights, ScaleAndPlaceDoNotMatter)
+{
+    const auto picture = [this](double scale, const osg::Vec3d& place) {
+        const osg::ref_ptr<LitScene> scene = makeLit(constantMap(0.0).get());
+        scene->getSettings()->regeneration = Settings::IMMEDIATE;
+        const osg::ref_ptr<osg::MatrixTransform> parent =
+            new osg::MatrixTransform(osg::Matrixd::scale(scale, scale, scale) * osg::Matrixd::translate(place));
+        parent->addChild(makeQuad(osg::Vec3d(-4, -4, 0), osg::Vec3d(8, 0, 0), osg::Vec3d(0, 8, 0)));
+        parent->addChild(makeBox(osg::Vec3d(-0.5, -0.5, 0), osg::Vec3d(0.5, 0.5, 0.5)));
+        parent->addChild(makeRectangle());
+        scene->addChild(parent);
+        renderer.viewer().getCamera()->setProjectionMatrixAsPerspective(40, 1, 0.1 * scale, 100 * scale);
+        renderer.viewer().getCamera()->setViewMatrixAsLookAt(osg::Vec3d(1, -5, 4) * scale + place, place, osg::Vec3d(0, 0, 1));
+        return renderer.render(scene, 2);
+    };
+    const Picture expected = picture(1.0, osg::Vec3d());
+    EXPECT_GT(ofGeometry(expected).most, 0.1);
+    // Some texels of shadow maps fall on the other side of a rounding.
+    for (const double scale : {1e-6, 1e-3, 1e3, 1e6})
+        EXPECT_LT(rootMeanSquare(expected, picture(scale, osg::Vec3d())), 4e-3) << "scale " << scale;
+    for (const double offset : {1e4, 6.4e6})
+        EXPECT_LT(rootMeanSquare(expected, picture(1.0, osg::Vec3d(offset, -offset, offset))), 4e-3) << "offset " << offset;
+}
+
 TEST_F(AreaLights, ThatCanNotLightAreLeftOutAndNamedOnce)
 {
     const osg::ref_ptr<AreaLight> light = makeRectangle();
