@@ -97,6 +97,11 @@ TEST_F(AreaLights, GiveAPlaneWhatTheClosedFormsSay)
     light->setPolygon(*corners);
     EXPECT_NEAR(2.0 * oracle::centredRectangle(2.0, 1.0, height), middle()[0], exact);
     EXPECT_EQ("1 area light, each by its closed form", reason(*lit, "arealights"));
+    // Nothing of a black map is occluded, and no surface sends light on.
+    EXPECT_EQ("off, there is no diffuse term to occlude", reason(*lit, "occlusion"));
+    lit->getSettings()->bounce = Settings::BOUNCE_MEAN;
+    middle();
+    EXPECT_TRUE(lit->plan().runs("occlusion"));
 }
 
 // An arrow whose first vertex is the mean of all, and the two triangles that it is made of.

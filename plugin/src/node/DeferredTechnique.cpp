@@ -91,7 +91,8 @@ try {
     });
 
     const bool shows = c.facts.surfaces.deferred + c.facts.surfaces.litForward > 0;
-    const bool needsCarrier = settings->diffuse && (!c.facts.mapIsBlack || c.facts.areaLights > 0) && shows;
+    const bool sendsOn = c.facts.areaLights > 0 && settings->bounce != Settings::BOUNCE_OFF;
+    const bool needsCarrier = settings->diffuse && (!c.facts.mapIsBlack || sendsOn) && shows;
     const bool hasAreaMaps = !c.areaLights.empty() && Decisions::wantsAreaMaps(*settings);
     if ((needsCarrier && Decisions::wantsAtlas(*settings)) || ((sunny || hasAreaMaps) && shows)) {
         CasterCollector collector(cv, c.worldFromEye, vd.casterStates, _facts.get());
@@ -104,7 +105,7 @@ try {
     if (!c.showsNothing) CasterCollector::forgetUnused(vd.casterStates, c.casters);
 
     lock.lock();
-    if (c.facts.mapIsBlack && c.facts.areaLights > 0) darken(c, _darkTextures);
+    if (c.facts.mapIsBlack && sendsOn) darken(c, _darkTextures);
     light(c, vd, needsCarrier);
     for (const ForwardGraph& f : forward) f.bin->addStateGraph(f.graph);
     return true;
