@@ -5,6 +5,7 @@
 
 #include "lib/limits.glsl"
 #include "pass/gbuffer.glsl"
+#include "pass/lightmark.glsl"
 #include "pass/terms.glsl"
 
 // Sums over the pixels, by weight: of radiance and 1; these times the normal's x, y, z; of the albedo of what is blocked.
@@ -27,7 +28,7 @@ void main()
     for (int y = from.y + stride.y / 2; y < to.y; y += stride.y)
         for (int x = from.x + stride.x / 2; x < to.x; x += stride.x) {
             ivec2 p = ivec2(x, y);
-            if (isBackground(p) || isAreaLight(p)) continue;
+            if (isBackground(p) || isAreaLight(emissionMap, p)) continue;
             float blocked = 1.0 - ambientVisibility(p);
             float weight = blocked + 0.05;
             vec3 radiance = emitted(p) + sunShaded(p) + occludedDiffuse(p);

@@ -44,8 +44,9 @@ EmitterPoint emitterPoint(int i)
     return e;
 }
 
-// What the point's part sends to a surface with unit normal n, of its power: cosines over pi times the squared distance, which the part's
-// area bounds [area-lights.md 3, "Kernel"]. to: from the surface to the point.
+// The share of a point's power that a surface of unit normal n receives, as irradiance over pi. It is the product of both cosines over pi
+// times the squared distance. The area of the part keeps it finite close by [area-lights.md 3, "Kernel"]. to: from the surface to the
+// point.
 float emitterKernel(EmitterPoint e, vec3 to, vec3 n)
 {
     float square = max(dot(to, to), 1e-30);

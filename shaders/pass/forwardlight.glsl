@@ -221,42 +221,61 @@ vec3 diffuseOfDirection(Surface s, Layers layers, vec3 l)
 }
 #endif
 
+#if defined(HAS_SCENE_LIGHTS) || defined(HAS_AREA_LIGHTS)
+// The frames of a surface's lobes, in eye space, and the eye in them.
+struct LobeFrames {
+    mat3 base;
+    vec3 view;
+#ifdef HAS_COATS
+    mat3 coat;
+    vec3 coatView;
+#endif
+};
+
+LobeFrames lobeFrames(Surface s)
+{
+    LobeFrames f;
+    f.base = frameOf(s);
+    f.view = localView(s.ray, f.base);
+#ifdef HAS_COATS
+    f.coat = frameAround(s.coatNormal);
+    f.coatView = localView(s.ray, f.coat);
+#endif
+    return f;
+}
+
+// What the surface's lobes and its diffuse layer send to the eye of light from one direction.
+void addLight(Surface s, Layers layers, LobeFrames f, vec3 light, vec3 direction, inout vec3 glint, inout vec3 diffuse)
+{
+    vec3 l = direction * f.base;
+    diffuse += light * lightLambert(diffuseOfDirection(s, layers, direction), l);
+    glint += light * lightLobe(layers.base, f.view, l);
+#ifdef HAS_COATS
+    glint += light * lightLobe(layers.coat, f.coatView, direction * f.coat);
+#endif
+}
+#endif
+
 #ifdef HAS_SCENE_LIGHTS
-// What the surface's lobes and its diffuse layer send to the eye of the application's lights.
 void addSceneLights(Surface s, Layers layers, inout vec3 glint, inout vec3 diffuse)
 {
-    mat3 eyeFromLocal = frameOf(s);
-    vec3 v = localView(s.ray, eyeFromLocal);
-#ifdef HAS_COATS
-    mat3 eyeFromCoat = frameAround(s.coatNormal);
-    vec3 coatView = localView(s.ray, eyeFromCoat);
-#endif
+    LobeFrames frames = lobeFrames(s);
     for (int i = 0; i < sceneLightCount; ++i) {
         vec3 direction;
         vec3 light = sceneLightAt(i, s.position, direction);
-        vec3 l = direction * eyeFromLocal;
-        diffuse += light * lightLambert(diffuseOfDirection(s, layers, direction), l);
-        glint += light * lightLobe(layers.base, v, l);
-#ifdef HAS_COATS
-        glint += light * lightLobe(layers.coat, coatView, direction * eyeFromCoat);
-#endif
+        addLight(s, layers, frames, light, direction, glint, diffuse);
     }
 }
 #endif
 
 #ifdef HAS_AREA_LIGHTS
-// The same of the area lights, by all of their points: no pixel has neighbours whose points it could share.
+// By all of their points: no pixel has neighbours whose points it could share.
 void addAreaLights(Surface s, Layers layers, inout vec3 glint, inout vec3 diffuse)
 {
     mat3 worldFromEye = mat3(emittersFromEye);
     vec3 point = vec3(emittersFromEye * vec4(s.position, 1.0));
     vec3 normal = worldFromEye * s.normal;
-    mat3 eyeFromLocal = frameOf(s);
-    vec3 v = localView(s.ray, eyeFromLocal);
-#ifdef HAS_COATS
-    mat3 eyeFromCoat = frameAround(s.coatNormal);
-    vec3 coatView = localView(s.ray, eyeFromCoat);
-#endif
+    LobeFrames frames = lobeFrames(s);
     int count = textureSize(emitterPointMap, 0).x;
     for (int i = 0; i < count; ++i) {
         EmitterPoint e = emitterPoint(i);
@@ -265,13 +284,7 @@ void addAreaLights(Surface s, Layers layers, inout vec3 glint, inout vec3 diffus
         if (kernel <= 0.0 || emitterSees(e, point, normal) < 0.5) continue;
         vec3 direction = normalize(to);
         vec3 light = e.power * (kernel / dot(normal, direction));
-        direction = direction * worldFromEye;
-        vec3 l = direction * eyeFromLocal;
-        diffuse += light * lightLambert(diffuseOfDirection(s, layers, direction), l);
-        glint += light * lightLobe(layers.base, v, l);
-#ifdef HAS_COATS
-        glint += light * lightLobe(layers.coat, coatView, direction * eyeFromCoat);
-#endif
+        addLight(s, layers, frames, light, direction * worldFromEye, glint, diffuse);
     }
 }
 #endif

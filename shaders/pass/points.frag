@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// The map, the suns and area lights light the surface points, of which each texel is one [indirect2.md 6]. The colour is the irradiance over pi, in units
-// of the map's mean; alpha is the share of the map's directions that the point sees.
+// The map, the suns and area lights light the surface points [indirect2.md 6]. Each texel is a point. The colour is the irradiance over pi, in
+// units of the map's mean; alpha is the share of the map's directions that the point sees.
 #pragma import_defines(HAS_SUN_MAPS, HAS_AREA_LIGHTS)
 
 #include "lib/constants.glsl"

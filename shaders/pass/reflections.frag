@@ -5,10 +5,10 @@
 // still show the mean radiance of what blocks light. No earlier frame is read, so nothing trails behind what moves.
 #pragma import_defines(HAS_AREA_LIGHTS)
 #include "lib/frame.glsl"
-#include "lib/limits.glsl"
 #include "lib/march.glsl"
 #include "lib/sequence.glsl"
 #include "pass/gbuffer.glsl"
+#include "pass/lightmark.glsl"
 #include "pass/lobewidth.glsl"
 #include "pass/toplobe.glsl"
 
@@ -44,7 +44,7 @@ vec3 lobeDirection(Bsdf b, vec3 v, int group)
 vec3 sentRadiance(ivec2 p)
 {
 #ifdef HAS_AREA_LIGHTS
-    if (abs(texelFetch(emissionMap, p, 0).a - LIGHT_MARK) < 0.1) return vec3(0.0);
+    if (isAreaLight(emissionMap, p)) return vec3(0.0);
 #endif
     return texelFetch(radianceMap, p, 0).rgb;
 }

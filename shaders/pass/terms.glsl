@@ -4,7 +4,6 @@
 #define TERMS_GLSL
 #pragma import_defines(HAS_DIFFUSE, HAS_SUNS, HAS_SUN_SHADOWS, HAS_OCCLUSION, COMBINE_SUBTRACT)
 
-#include "lib/limits.glsl"
 #include "pass/hostcolor.glsl"
 
 uniform sampler2D diffuseTermMap;
@@ -13,12 +12,6 @@ uniform sampler2D sunShadedMap;
 uniform sampler2D occlusionTermMap;
 uniform sampler2D emissionMap;  // times 2^baseStops: what is typed as a colour fits half floats under any map
 uniform float radianceScale;    // the map's mean radiance times its intensity
-
-// The pixel shows the surface of an area light: what that sends to others is known.
-bool isAreaLight(ivec2 p)
-{
-    return abs(texelFetch(emissionMap, p, 0).a - LIGHT_MARK) < 0.1;
-}
 
 vec3 emitted(ivec2 p)
 {
