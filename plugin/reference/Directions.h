@@ -5,10 +5,16 @@
 #include <cmath>
 #include <limits>
 
+#include <osg/Vec3d>
 #include <glm/glm.hpp>
 
 namespace osgEnvLight
 {
+
+inline glm::dvec3 toGlm(const osg::Vec3d& v)
+{
+    return glm::dvec3(v.x(), v.y(), v.z());
+}
 
 inline constexpr double pi = 3.14159265358979323846;
 

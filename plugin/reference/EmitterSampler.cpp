@@ -12,11 +12,6 @@ namespace osgEnvLight
 namespace
 {
 
-glm::dvec3 toGlm(const osg::Vec3d& v)
-{
-    return glm::dvec3(v.x(), v.y(), v.z());
-}
-
 double cross(const glm::dvec2& a, const glm::dvec2& b)
 {
     return a.x * b.y - a.y * b.x;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "MeshBuilder.h"
 
+#include "Directions.h"
 #include <osg/TriangleIndexFunctor>
 
 #include <algorithm>
@@ -115,12 +116,12 @@ void appendVertices(const osg::Geometry& g, unsigned set, const osg::Matrixd& wo
     for (unsigned i = 0; i < vertices.getNumElements(); ++i) {
         const glm::dvec4 v = reader.read(vertices, i);
         const osg::Vec3d world = osg::Vec3d(v.x, v.y, v.z) * worldFromModel;
-        mesh.positions.emplace_back(glm::dvec3(world.x(), world.y(), world.z()) - origin);
+        mesh.positions.emplace_back(toGlm(world) - origin);
         if (normals) {
             // Normals go by the inverse transpose: row vectors on the other side of the inverse.
             const glm::dvec4 n = reader.read(*normals, elementOf(*normals, i, set));
             const osg::Vec3d w = osg::Matrixd::transform3x3(modelFromWorld, osg::Vec3d(n.x, n.y, n.z));
-            mesh.normals.emplace_back(glm::dvec3(w.x(), w.y(), w.z()));
+            mesh.normals.emplace_back(toGlm(w));
         }
         // Without colours of its own a drawable has OpenGL's current one, which applying an osg::Material sets to its diffuse.
         if (mesh.material.vertexColored)

@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <reference/RayCamera>
 
+#include "Directions.h"
+
 #include <osg/Vec4d>
 
 namespace osgEnvLight
 {
-
-namespace
-{
-
-glm::dvec3 toGlm(const osg::Vec3d& v)
-{
-    return glm::dvec3(v.x(), v.y(), v.z());
-}
-
-}  // namespace
 
 RayCamera::RayCamera(const osg::Matrixd& view, const osg::Matrixd& projection, int width, int height, double depth)
     : _view(view),

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "Directions.h"
 #include "MeshBuilder.h"
 #include "SceneState.h"
 
@@ -119,7 +120,7 @@ class Flattener
         for (const osgUtil::RenderLeaf* leaf : _leaves)
             if (const osg::Geometry* geometry = leaf->getDrawable()->asGeometry())
                 expandByTriangles(*geometry, worldFromModel(*leaf), box);
-        if (box.valid()) _result.origin = glm::dvec3(box.center().x(), box.center().y(), box.center().z());
+        if (box.valid()) _result.origin = toGlm(box.center());
     }
 
     void placeEmitters()
@@ -175,7 +176,7 @@ class Flattener
         mesh.emitter = emitterOf(leaf);
         mesh.material = state.material(*geometry, _linearColors, _textures, leftOut);
         const osg::Vec3d axis = osg::Matrixd::transform3x3(osg::Vec3d(0, 0, 1), worldFromModel(leaf));
-        mesh.material.axis = glm::dvec3(axis.x(), axis.y(), axis.z());
+        mesh.material.axis = toGlm(axis);
         if (geometry->getDrawCallback()) leftOut.insert("draw callbacks");
         if (!appendTriangles(*geometry, worldFromModel(leaf), state.textureMatrix(), _result.origin, mesh, _result))
             leftOut.insert("points and lines");

@@ -15,15 +15,15 @@ constexpr double bay = 2.8, halfX = 2.5 * bay, halfY = 1.5 * bay;  // the court
 constexpr double outerX = 12, outerY = 8, wall = 0.4;
 constexpr double storey = 4.4, slab = 0.35, springing = 2.35, archRadius = 1.1;
 
-const std::map<std::string, Material> materials{{"plaster", lambert({0.76, 0.69, 0.58})},
-                                                {"stone", lambert({0.78, 0.75, 0.69})},
-                                                {"terracotta", lambert({0.52, 0.22, 0.13})},
-                                                {"ochre", lambert({0.66, 0.46, 0.2})},
-                                                {"ceiling", lambert({0.82, 0.81, 0.78})},
-                                                {"dark tile", phong({0.13, 0.12, 0.12}, 0.08, 400)},
-                                                {"light tile", phong({0.55, 0.5, 0.43}, 0.08, 400)},
-                                                {"bronze", cookTorrance({0.66, 0.47, 0.28}, 1, 0.35)},
-                                                {"water", cookTorrance({0.03, 0.07, 0.07}, 0, 0.04)}};
+const std::map<std::string, Material> atriumMaterials{{"plaster", lambert({0.76, 0.69, 0.58})},
+                                                      {"stone", lambert({0.78, 0.75, 0.69})},
+                                                      {"terracotta", lambert({0.52, 0.22, 0.13})},
+                                                      {"ochre", lambert({0.66, 0.46, 0.2})},
+                                                      {"ceiling", lambert({0.82, 0.81, 0.78})},
+                                                      {"dark tile", phong({0.13, 0.12, 0.12}, 0.08, 400)},
+                                                      {"light tile", phong({0.55, 0.5, 0.43}, 0.08, 400)},
+                                                      {"bronze", cookTorrance({0.66, 0.47, 0.28}, 1, 0.35)},
+                                                      {"water", cookTorrance({0.03, 0.07, 0.07}, 0, 0.04)}};
 
 Mesh column()
 {
@@ -51,7 +51,7 @@ std::vector<Place> bays()
     return result;
 }
 
-std::vector<Place> columns()
+std::vector<Place> columnPlaces()
 {
     std::vector<Place> result;
     for (double side : {-1.0, 1.0}) {
@@ -96,7 +96,7 @@ void addArcades(Scene& scene)
             for (int i = -4; i <= 4; ++i) rail.add(tube({{i * 0.27, 0, 0}, {i * 0.27, 0, 0.95}}, 0.014, 12, 1));
             rails.add(rail, placement(p, storey));
         }
-        for (const Place& p : columns()) scene.add(model, "stone", placement(p, floor * storey));
+        for (const Place& p : columnPlaces()) scene.add(model, "stone", placement(p, floor * storey));
     }
     scene.add(arches, "plaster");
     scene.add(rails, "bronze");
@@ -161,7 +161,7 @@ void addFountain(Scene& scene)
 
 Scene atrium()
 {
-    Scene scene("atrium", {"sky", -50, 0.6, 2.6}, {{-10.4, -6.5, 1.75}, {-1.5, -2.6, 1.85}, 58}, materials);
+    Scene scene("atrium", {"sky", -50, 0.6, 2.6}, {{-10.4, -6.5, 1.75}, {-1.5, -2.6, 1.85}, 58}, atriumMaterials);
     addFloor(scene);
     addArcades(scene);
     addShell(scene);

@@ -18,15 +18,16 @@ namespace
 
 constexpr double square = 0.055, squareThickness = 0.012, frameWidth = 0.035, half = 4 * square;
 
-const std::map<std::string, Material> materials{{"ivory", cookTorrance({0.78, 0.67, 0.47}, 0, 0.35)},
-                                                {"ebony", cookTorrance({0.032, 0.024, 0.02}, 0, 0.25)},
-                                                {"gold", cookTorrance({1, 0.77, 0.34}, 1, 0.22)},
-                                                {"silver", cookTorrance({0.95, 0.93, 0.88}, 1, 0.12)},
-                                                {"glass", {Brdf::Phong, {0.12, 0.2, 0.18}, {0.5, 0.5, 0.5}, 600, 0, 0, 0.45}},
-                                                {"maple", phong({0.95, 0.95, 0.95}, 0.04, 120)},
-                                                {"walnut", phong({0.95, 0.95, 0.95}, 0.04, 120)},
-                                                {"frame", phong({0.95, 0.95, 0.95}, 0.05, 250)},
-                                                {"cloth", lambert({0.10, 0.16, 0.15})}};
+const std::map<std::string, Material> chessMaterials{
+    {"ivory", cookTorrance({0.78, 0.67, 0.47}, 0, 0.35)},
+    {"ebony", cookTorrance({0.032, 0.024, 0.02}, 0, 0.25)},
+    {"gold", cookTorrance({1, 0.77, 0.34}, 1, 0.22)},
+    {"silver", cookTorrance({0.95, 0.93, 0.88}, 1, 0.12)},
+    {"glass", {Brdf::Phong, {0.12, 0.2, 0.18}, {0.5, 0.5, 0.5}, 600, 0, 0, 0.45}},
+    {"maple", phong({0.95, 0.95, 0.95}, 0.04, 120)},
+    {"walnut", phong({0.95, 0.95, 0.95}, 0.04, 120)},
+    {"frame", phong({0.95, 0.95, 0.95}, 0.05, 250)},
+    {"cloth", lambert({0.10, 0.16, 0.15})}};
 
 struct Man {
     Piece piece;
@@ -151,7 +152,7 @@ void addMen(Scene& scene)
 
 Scene chess()
 {
-    Scene scene("chess", {"studio", 225, 0.6, 1}, {{-0.27, -0.5, 0.3}, {0.012, -0.03, 0.012}, 34}, materials);
+    Scene scene("chess", {"studio", 225, 0.6, 1}, {{-0.27, -0.5, 0.3}, {0.012, -0.03, 0.012}, 34}, chessMaterials);
     const std::vector<std::pair<std::string, Wood>> woods{{"maple", {{226, 190, 140}, {176, 128, 78}, 14, 1}},
                                                           {"walnut", {{124, 78, 50}, {58, 32, 20}, 10, 2}},
                                                           {"frame", {{92, 50, 32}, {36, 18, 12}, 12, 3}}};

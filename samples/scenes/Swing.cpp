@@ -15,11 +15,11 @@ namespace
 
 constexpr double beamHeight = 2.3, halfSpan = 1.35, period = 3.0, swing = 24;  // metres, seconds, degrees
 
-const std::map<std::string, Material> materials{{"wood", lambert({0.42, 0.24, 0.12})},
-                                                {"lacquer", cookTorrance({0.55, 0.04, 0.03}, 0, 0.18)},
-                                                {"chrome", cookTorrance({0.9, 0.9, 0.92}, 1, 0.08)},
-                                                {"cushion", lambert({0.75, 0.7, 0.58})},
-                                                {"ground", phong({0.38, 0.4, 0.36}, 0.05, 25)}};
+const std::map<std::string, Material> swingMaterials{{"wood", lambert({0.42, 0.24, 0.12})},
+                                                     {"lacquer", cookTorrance({0.55, 0.04, 0.03}, 0, 0.18)},
+                                                     {"chrome", cookTorrance({0.9, 0.9, 0.92}, 1, 0.08)},
+                                                     {"cushion", lambert({0.75, 0.7, 0.58})},
+                                                     {"ground", phong({0.38, 0.4, 0.36}, 0.05, 25)}};
 
 // Two trestles and a beam.
 Mesh frame()
@@ -83,7 +83,7 @@ osg::ref_ptr<osg::AnimationPath> path()
 
 Scene swing()
 {
-    Scene scene("swing", {"sky", 60, 0.42, 1.25}, {{3.2, -5.0, 2.0}, {0, 0, 1.08}, 32}, materials);
+    Scene scene("swing", {"sky", 60, 0.42, 1.25}, {{3.2, -5.0, 2.0}, {0, 0, 1.08}, 32}, swingMaterials);
     osg::ref_ptr<osg::MatrixTransform> hung = new osg::MatrixTransform(osg::Matrixd::translate(0, 0, beamHeight));
     osg::ref_ptr<osg::MatrixTransform> pendulum = new osg::MatrixTransform;
     pendulum->setDataVariance(osg::Object::DYNAMIC);

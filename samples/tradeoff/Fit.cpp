@@ -22,7 +22,7 @@ struct Data {
 };
 
 // e^scale ((1 - share) N^-p + share), N relative to the smallest.
-struct Candidate {
+struct Trial {
     double p = 0.0;
     double share = 0.0;  // of the floor at the smallest N
     double scale = 0.0;
@@ -35,9 +35,9 @@ double shape(double p, double share, double x)
 }
 
 // The best scale is the mean of what the shape leaves.
-Candidate judge(const Data& data, double p, double share)
+Trial judge(const Data& data, double p, double share)
 {
-    Candidate c{p, share, 0.0, 0.0};
+    Trial c{p, share, 0.0, 0.0};
     for (size_t i = 0; i < data.x.size(); ++i) c.scale += (data.y[i] - shape(p, share, data.x[i])) / double(data.x.size());
     for (size_t i = 0; i < data.x.size(); ++i) {
         const double r = data.y[i] - c.scale - shape(p, share, data.x[i]);
@@ -47,7 +47,7 @@ Candidate judge(const Data& data, double p, double share)
 }
 
 // A straight line in the logarithms.
-Candidate withoutFloor(const Data& data)
+Trial withoutFloor(const Data& data)
 {
     const double n = double(data.x.size());
     double meanX = 0.0;
@@ -66,14 +66,14 @@ Candidate withoutFloor(const Data& data)
 }
 
 // Grids of p and of the logit of the share, each around the best of the one before: no start value to get wrong.
-Candidate withFloor(const Data& data)
+Trial withFloor(const Data& data)
 {
     const int steps = 24;  // each way
     double p = 0.5 * steepest;
     double logit = 0.0;
     double reachP = 0.5 * steepest;
     double reachLogit = 20.0;
-    Candidate best = judge(data, p, 0.5);
+    Trial best = judge(data, p, 0.5);
     for (int level = 0; level < 24; ++level) {
         const double middleP = p;
         const double middleLogit = logit;
@@ -81,7 +81,7 @@ Candidate withFloor(const Data& data)
             for (int k = -steps; k <= steps; ++k) {
                 const double tryP = std::clamp(middleP + reachP * i / steps, 0.0, steepest);
                 const double tryLogit = middleLogit + reachLogit * k / steps;
-                const Candidate c = judge(data, tryP, 1.0 / (1.0 + std::exp(-tryLogit)));
+                const Trial c = judge(data, tryP, 1.0 / (1.0 + std::exp(-tryLogit)));
                 if (c.squares >= best.squares) continue;
                 best = c;
                 p = tryP;
@@ -93,7 +93,7 @@ Candidate withFloor(const Data& data)
     return best;
 }
 
-Fit fitOf(const Data& data, const Candidate& c)
+Fit fitOf(const Data& data, const Trial& c)
 {
     Fit fit;
     fit.p = c.p;
@@ -125,11 +125,11 @@ Fit fitPowerLaw(const std::vector<double>& counts, const std::vector<double>& er
     data.smallest = *std::min_element(data.x.begin(), data.x.end());
     for (double& x : data.x) x -= data.smallest;
     const auto [least, most] = std::minmax_element(data.y.begin(), data.y.end());
-    Candidate best = withoutFloor(data);
+    Trial best = withoutFloor(data);
     if (*most - *least < rounding) {
         best = judge(data, 0.0, 1.0);
     } else if (distinct > 2) {
-        const Candidate floored = withFloor(data);
+        const Trial floored = withFloor(data);
         if (floored.squares < best.squares - rounding) best = floored;
     }
     Fit fit = fitOf(data, best);

@@ -46,7 +46,7 @@ std::string badges(const Summary& summary, size_t index)
     return text;
 }
 
-std::string header(const Summary& summary)
+std::string headings(const Summary& summary)
 {
     std::string html = heading("settings", "What differs from the defaults; sorted by the order of measuring") +
                        heading("frame, ms", "Median of the frame's time, until the GPU is done") +
@@ -111,7 +111,7 @@ std::string pointsTable(const Report& report, const Summary& summary)
             : "<p><label class=\"switch\"><input type=\"checkbox\" id=\"passes\"> times of the passes</label></p>\n";
     return "<div class=\"points\">\n" + passes + "<div class=\"scroll\"><table>\n<caption><span>All " +
            std::to_string(report.points.size()) +
-           " settings; dominated ones are grey. A heading sorts.</span></caption>\n<thead><tr>" + header(summary) +
+           " settings; dominated ones are grey. A heading sorts.</span></caption>\n<thead><tr>" + headings(summary) +
            "</tr></thead>\n<tbody>\n" + rows + "</tbody>\n</table></div>\n</div>\n";
 }
 

@@ -11,7 +11,7 @@ namespace tradeoff
 namespace
 {
 
-const double rounding = 1e-9;  // of logarithms
+const double logRounding = 1e-9;  // of logarithms
 
 double timeOf(const Point& p)
 {
@@ -94,7 +94,7 @@ Choice kneeOf(const std::vector<Point>& points)
     const Place first = places.front();
     const Place last = places.back();
     Choice knee;
-    double farthest = rounding;
+    double farthest = logRounding;
     for (size_t i = 1; i + 1 < places.size(); ++i) {
         const double line = first.y + (last.y - first.y) * (places[i].x - first.x) / (last.x - first.x);
         if (line - places[i].y <= farthest) continue;
@@ -102,7 +102,7 @@ Choice kneeOf(const std::vector<Point>& points)
         knee = front[i];
     }
     if (knee) return knee;
-    return last.x + last.y < first.x + first.y - rounding ? front.back() : front.front();
+    return last.x + last.y < first.x + first.y - logRounding ? front.back() : front.front();
 }
 
 Choice cheapestWithin(const std::vector<Point>& points, double error)

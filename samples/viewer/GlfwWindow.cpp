@@ -11,7 +11,7 @@
 namespace
 {
 
-using Gui = osgGA::GUIEventAdapter;
+using HostEvent = osgGA::GUIEventAdapter;
 
 GlfwWindow& of(GLFWwindow* window)
 {
@@ -29,14 +29,16 @@ GlfwWindow& of(GLFWwindow* window)
 int symbolOf(int key)
 {
     static const std::pair<int, int> symbols[] = {
-        {GLFW_KEY_ESCAPE, Gui::KEY_Escape}, {GLFW_KEY_TAB, Gui::KEY_Tab},         {GLFW_KEY_ENTER, Gui::KEY_Return},
-        {GLFW_KEY_HOME, Gui::KEY_Home},     {GLFW_KEY_END, Gui::KEY_End},         {GLFW_KEY_LEFT, Gui::KEY_Left},
-        {GLFW_KEY_RIGHT, Gui::KEY_Right},   {GLFW_KEY_UP, Gui::KEY_Up},           {GLFW_KEY_DOWN, Gui::KEY_Down},
-        {GLFW_KEY_DELETE, Gui::KEY_Delete}, {GLFW_KEY_PAGE_UP, Gui::KEY_Page_Up}, {GLFW_KEY_PAGE_DOWN, Gui::KEY_Page_Down},
+        {GLFW_KEY_ESCAPE, HostEvent::KEY_Escape},   {GLFW_KEY_TAB, HostEvent::KEY_Tab},
+        {GLFW_KEY_ENTER, HostEvent::KEY_Return},    {GLFW_KEY_HOME, HostEvent::KEY_Home},
+        {GLFW_KEY_END, HostEvent::KEY_End},         {GLFW_KEY_LEFT, HostEvent::KEY_Left},
+        {GLFW_KEY_RIGHT, HostEvent::KEY_Right},     {GLFW_KEY_UP, HostEvent::KEY_Up},
+        {GLFW_KEY_DOWN, HostEvent::KEY_Down},       {GLFW_KEY_DELETE, HostEvent::KEY_Delete},
+        {GLFW_KEY_PAGE_UP, HostEvent::KEY_Page_Up}, {GLFW_KEY_PAGE_DOWN, HostEvent::KEY_Page_Down},
     };
     for (const auto& [glfw, osg] : symbols)
         if (glfw == key) return osg;
-    return key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12 ? Gui::KEY_F1 + (key - GLFW_KEY_F1) : 0;
+    return key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12 ? HostEvent::KEY_F1 + (key - GLFW_KEY_F1) : 0;
 }
 
 int buttonOf(int glfw)

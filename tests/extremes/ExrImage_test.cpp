@@ -13,6 +13,8 @@
 #include <thread>
 #include <vector>
 
+#include "ImageResult.h"
+
 #include <gtest/gtest.h>
 
 #include <ImfDeepFrameBuffer.h>
@@ -31,34 +33,17 @@ namespace
 
 using namespace exrfiles;
 
-struct Result {
-    osg::ref_ptr<osg::Image> image;
-    std::string error;
-};
-
-Result readText(const std::string& text)
+ImageResult decodeExr(const std::string& text)
 {
     std::istringstream in(text);
-    Result result;
-    result.image = osgEnvLight::readExr(in, "test.exr", result.error);
+    ImageResult result{"test.exr", nullptr, ""};
+    result.image = osgEnvLight::readExr(in, result.file, result.error);
     return result;
 }
 
-/** The one promise about every input: an image, or one line that names the file. */
-void expectImageOrError(const Result& result)
+void expectExrError(const std::string& text, const std::string& part)
 {
-    ASSERT_EQ(result.image.valid(), result.error.empty()) << result.error;
-    if (result.image) return;
-    EXPECT_EQ(result.error.rfind("test.exr: ", 0), 0u) << result.error;
-    EXPECT_EQ(result.error.find('\n'), std::string::npos) << result.error;
-}
-
-void expectError(const std::string& text, const std::string& part)
-{
-    const Result result = readText(text);
-    expectImageOrError(result);
-    EXPECT_FALSE(result.image.valid());
-    EXPECT_NE(result.error.find(part), std::string::npos) << "found: " << result.error << "\nexpected: " << part;
+    expectError(decodeExr(text), part);
 }
 
 const float* at(const osg::Image& image, int x, int fromTop)
@@ -70,7 +55,7 @@ const float* at(const osg::Image& image, int x, int fromTop)
 void expectPattern(const std::string& text, const Names& names, Box2i data = {V2i(0, 0), V2i(6, 4)}, V2i origin = {0, 0},
                    V2i size = {7, 5}, bool whole = false, double relative = 0.0)
 {
-    const Result result = readText(text);
+    const ImageResult result = decodeExr(text);
     ASSERT_TRUE(result.image.valid()) << result.error;
     const osg::Image& image = *result.image;
     ASSERT_EQ(V2i(image.s(), image.t()), size);
@@ -107,16 +92,17 @@ TEST(ExrImage, ChannelsByName)
 {
     expectPattern(scanlines(makeHeader({"A", "Y"})), {"Y", "Y", "Y", "A"});
     expectPattern(scanlines(makeHeader({"Y", "R", "G", "B", "Z", "diffuse.R", "id"})), kRgb);
-    expectError(scanlines(makeHeader({"R"})), "its channels are R, expected R G B, Y");
-    expectError(scanlines(makeHeader({"layer.R", "layer.G", "layer.B"})), "its channels are layer.B layer.G layer.R, expected");
-    expectError(scanlines(makeHeader({"R", "G", "A"})), "A G R");
-    expectError(scanlines(makeHeader({"RY", "BY"})), "BY RY");
+    expectExrError(scanlines(makeHeader({"R"})), "its channels are R, expected R G B, Y");
+    expectExrError(scanlines(makeHeader({"layer.R", "layer.G", "layer.B"})),
+                   "its channels are layer.B layer.G layer.R, expected");
+    expectExrError(scanlines(makeHeader({"R", "G", "A"})), "A G R");
+    expectExrError(scanlines(makeHeader({"RY", "BY"})), "BY RY");
     const Box2i even(V2i(0, 0), V2i(7, 3));
     for (const char* channel : {"G", "A", "RY"}) {
         Imf::Header header = makeHeader({"R", "G", "B", "A"}, Imf::HALF, Imf::ZIP_COMPRESSION, even, even);
         if (channel[1] != 0) header = makeHeader({"Y", "BY"}, Imf::HALF, Imf::ZIP_COMPRESSION, even, even);
         header.channels().insert(channel, Imf::Channel(Imf::HALF, 4, 2));
-        expectError(scanlines(header), "channel " + std::string(channel) + " is sampled 4 x 2, expected");
+        expectExrError(scanlines(header), "channel " + std::string(channel) + " is sampled 4 x 2, expected");
     }
 }
 
@@ -134,7 +120,7 @@ TEST(ExrImage, LuminanceAndChroma)
             file.setFrameBuffer(pixels.data() + 2 - 8 * 2, 1, 8);
             file.writePixels(6);
         }
-        const Result result = readText(sink.text());
+        const ImageResult result = decodeExr(sink.text());
         ASSERT_TRUE(result.image.valid()) << result.error;
         ASSERT_EQ(result.image->getPixelFormat(), GLenum(channels == Imf::WRITE_YC ? GL_RGB : GL_RGBA));
         for (int y = 0; y < 10; ++y)
@@ -203,7 +189,7 @@ TEST(ExrImage, FirstOfSeveralParts)
     };
     expectPattern(write(), kRgb);
     std::swap(headers[0], headers[1]);
-    expectError(write(), "its channels are Z");
+    expectExrError(write(), "its channels are Z");
 }
 
 TEST(ExrImage, DeepDataIsRefused)
@@ -222,7 +208,7 @@ TEST(ExrImage, DeepDataIsRefused)
         file.setFrameBuffer(buffer);
         file.writePixels(5);
     }
-    expectError(sink.text(), "of type \"deepscanline\", expected scanlineimage or tiledimage");
+    expectExrError(sink.text(), "of type \"deepscanline\", expected scanlineimage or tiledimage");
 }
 
 /** `text` with the bytes of the value of an attribute replaced, or of its size when `inSize`. */
@@ -244,20 +230,20 @@ TEST(ExrImage, ClaimsThatTheFileCannotHoldAreRefusedBeforeAllocation)
         const std::string file = scanlines(makeHeader(kRgba, Imf::FLOAT, static_cast<Imf::Compression>(c)));
         // Some of these OpenEXR refuses first, as it misses the end of a table of so many chunks.
         for (const int side : {100000, 65536, 30000, 16384})
-            expectError(patched(patched(file, data, {0, 0, side - 1, side - 1}), display, {0, 0, side - 1, side - 1}),
-                        "test.exr: ");
+            expectExrError(patched(patched(file, data, {0, 0, side - 1, side - 1}), display, {0, 0, side - 1, side - 1}),
+                           "test.exr: ");
         // DWA's limit is so far off that its decoder gets to say that the data ends.
-        expectError(patched(file, data, {0, 0, 30000, 4}), c < Imf::DWAA_COMPRESSION ? "can hold" : "test.exr: ");
-        expectError(patched(file, display, {0, 0, 99999, 99999}),
-                    "display window of 100000 x 100000 pixels, expected 1 to 65536");
-        expectError(patched(file, display, {0, 0, 32767, 16383}), "expected less than 2^32 bytes");
-        expectError(patched(file, display, {0, 0, 8191, 8191}), "at most 64 times as many pixels");
+        expectExrError(patched(file, data, {0, 0, 30000, 4}), c < Imf::DWAA_COMPRESSION ? "can hold" : "test.exr: ");
+        expectExrError(patched(file, display, {0, 0, 99999, 99999}),
+                       "display window of 100000 x 100000 pixels, expected 1 to 65536");
+        expectExrError(patched(file, display, {0, 0, 32767, 16383}), "expected less than 2^32 bytes");
+        expectExrError(patched(file, display, {0, 0, 8191, 8191}), "at most 64 times as many pixels");
     }
     const std::string tiled = tiles(makeHeader(kRgb), Imf::ONE_LEVEL);
-    for (const int side : {0, 1 << 15, 1 << 30, -1}) expectError(patched(tiled, tile, {side, side}), "test.exr: ");
-    expectError(patched(tiled, tile, {1 << 13, 1 << 13}), "expected tiles no larger than the image");
+    for (const int side : {0, 1 << 15, 1 << 30, -1}) expectExrError(patched(tiled, tile, {side, side}), "test.exr: ");
+    expectExrError(patched(tiled, tile, {1 << 13, 1 << 13}), "expected tiles no larger than the image");
     for (const std::vector<std::int32_t>& window : {std::vector{0, 0, -1, -1}, {5, 0, 4, 4}, {-2147483647, 0, 2147483647, 1}})
-        for (const std::string& name : {data, display}) expectError(patched(tiled, name, window), "window");
+        for (const std::string& name : {data, display}) expectExrError(patched(tiled, name, window), "window");
 }
 
 TEST(ExrImage, AttributeSizesAreCheckedBeforeAllocation)
@@ -272,7 +258,7 @@ TEST(ExrImage, AttributeSizesAreCheckedBeforeAllocation)
     for (const std::string& name : names)
         for (const std::int32_t size : {0x7fffffff, -1, 100000, 5, 0}) {
             if (name == names[0] && size >= 0 && size <= 5) continue;
-            expectError(patched(file, name, {size}, true), "test.exr: ");
+            expectExrError(patched(file, name, {size}, true), "test.exr: ");
         }
 }
 
@@ -281,7 +267,7 @@ TEST(ExrImage, EveryTruncationIsAnError)
     for (const std::string& whole :
          {scanlines(makeHeader(kRgb, Imf::HALF, Imf::PIZ_COMPRESSION)), tiles(makeHeader(kGrey), Imf::ONE_LEVEL)})
         for (std::size_t size = 0; size < whole.size(); ++size) {
-            const Result result = readText(whole.substr(0, size));
+            const ImageResult result = decodeExr(whole.substr(0, size));
             expectImageOrError(result);
             ASSERT_FALSE(result.image.valid()) << size << " of " << whole.size();
         }
@@ -298,7 +284,7 @@ TEST(ExrImage, EveryDamagedByteGivesAnImageOrAnError)
                 for (const int flip : {0x01, 0x10, 0x80, 0xff}) {
                     std::string damaged = whole;
                     damaged[i] = static_cast<char>(damaged[i] ^ flip);
-                    const Result result = readText(damaged);
+                    const ImageResult result = decodeExr(damaged);
                     expectImageOrError(result);
                     refused += result.image ? 0 : 1;
                 }
@@ -314,15 +300,15 @@ TEST(ExrImage, AMissingChunkIsAnError)
     for (; first != table + 40 && table + 48 < file.size();) std::memcpy(&first, &file[++table], sizeof first);
     ASSERT_EQ(first, table + 40);
     file.replace(table + 16, 8, 8, '\0');
-    expectError(file, "missing");
+    expectExrError(file, "missing");
 }
 
 TEST(ExrImage, NotAnExrFile)
 {
-    expectError("", "it is empty or cannot be read");
+    expectExrError("", "it is empty or cannot be read");
     for (const std::string& text :
          {std::string("v"), std::string("garbage"), std::string(5000, '\0'), std::string("#?RADIANCE\n")})
-        expectError(text, "it does not start with 76 2f 31 01");
+        expectExrError(text, "it does not start with 76 2f 31 01");
     std::ifstream directory(std::filesystem::temp_directory_path(), std::ios::binary);
     std::string error;
     EXPECT_FALSE(osgEnvLight::readExr(directory, "", error).valid());
@@ -337,8 +323,8 @@ TEST(ExrImage, AnyStreamAnyThreadAnyLocale)
         std::string do_grouping() const override { return "\1"; }
     };
     const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Comma));
-    expectError(patched(scanlines(makeHeader(kRgb)), std::string("displayWindow\0box2i\0", 20), {0, 0, 99999, 0}),
-                "of 100000 x 1 ");
+    expectExrError(patched(scanlines(makeHeader(kRgb)), std::string("displayWindow\0box2i\0", 20), {0, 0, 99999, 0}),
+                   "of 100000 x 1 ");
 
     const std::string file = "before" + scanlines(makeHeader(kRgb, Imf::FLOAT, Imf::PIZ_COMPRESSION));
     std::vector<std::string> failures(4, "not run");

@@ -6,6 +6,7 @@
 #include <osg/Geometry>
 #include <osg/MatrixTransform>
 #include <osg/NodeVisitor>
+#include <osg/TriangleFunctor>
 #include <osgDB/Registry>
 
 #include <cstdint>
@@ -45,6 +46,17 @@ template <class T>
 std::string bytesOf(const std::vector<T>& values)
 {
     return std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+}
+
+inline int trianglesOf(const osg::Geometry& geometry)
+{
+    struct Count {
+        int triangles = 0;
+        void operator()(const osg::Vec3&, const osg::Vec3&, const osg::Vec3&, bool = false) { ++triangles; }
+    };
+    osg::TriangleFunctor<Count> count;
+    geometry.accept(count);
+    return count.triangles;
 }
 
 /** A document with one buffer. */

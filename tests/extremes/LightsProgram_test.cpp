@@ -54,7 +54,7 @@ osg::Vec3d fluxOf(const LightFile& file)
     return sum;
 }
 
-void expectNear(const osg::Vec3d& a, const osg::Vec3d& b, double relative)
+void expectChannelsNear(const osg::Vec3d& a, const osg::Vec3d& b, double relative)
 {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], relative * std::abs(b[c])) << "channel " << c;
 }
@@ -157,13 +157,13 @@ TEST_F(LightsProgram, AsManyLightsAsAskedForAndTheMapsFlux)
             const osg::Vec3d flux = fluxOf(file);
             // Points estimate the channels, and have their sum.
             EXPECT_NEAR(1.0, (flux[0] + flux[1] + flux[2]) / (whole[0] + whole[1] + whole[2]), 1e-6);
-            if (sampler != std::string("inverse-cdf")) expectNear(flux, whole, 1e-6);
+            if (sampler != std::string("inverse-cdf")) expectChannelsNear(flux, whole, 1e-6);
         }
     }
     const LightFile weighted =
         lightsOf({lampMap(), "--sampler", "inverse-cdf", "--weights", "on", "--seed", "7", "--floor", "0.2"});
     EXPECT_EQ(7u, weighted.seed);
-    expectNear(fluxOf(weighted), integral(*load(lampMap())), 1e-6);
+    expectChannelsNear(fluxOf(weighted), integral(*load(lampMap())), 1e-6);
 }
 
 TEST_F(LightsProgram, StatsSayWhatTheListIsLike)
@@ -222,7 +222,7 @@ TEST_F(LightsProgram, TheResidualAndTheSunsAreTheMap)
     LightFile suns = file;
     suns.lights.clear();
     const osg::Vec3d whole = integral(*load("sky"));
-    expectNear(integral(*residual) + fluxOf(suns), whole, 1e-6);
+    expectChannelsNear(integral(*residual) + fluxOf(suns), whole, 1e-6);
     // The sun as BuiltinMaps has it, 45 degrees high.
     EXPECT_NEAR(std::sqrt(0.5), file.suns[0].direction.z(), 0.005);
 

@@ -15,6 +15,8 @@
 #include <string>
 #include <vector>
 
+#include "ImageResult.h"
+
 #include <gtest/gtest.h>
 
 namespace
@@ -22,43 +24,26 @@ namespace
 
 using Rgbe = std::array<std::uint8_t, 4>;
 
-struct Result {
-    osg::ref_ptr<osg::Image> image;
-    std::string error;
-};
-
-Result readText(const std::string& text)
+ImageResult decodeHdr(const std::string& text)
 {
     std::istringstream in(text);
-    Result result;
-    result.image = osgEnvLight::readRadianceHdr(in, "test.hdr", result.error);
+    ImageResult result{"test.hdr", nullptr, ""};
+    result.image = osgEnvLight::readRadianceHdr(in, result.file, result.error);
     return result;
 }
 
-/** The one promise about every input: an image, or one line that names the file. */
-void expectImageOrError(const Result& result)
+void expectHdrError(const std::string& text, const std::string& part)
 {
-    ASSERT_EQ(result.image.valid(), result.error.empty()) << result.error;
-    if (result.image) return;
-    EXPECT_EQ(result.error.rfind("test.hdr: ", 0), 0u) << result.error;
-    EXPECT_EQ(result.error.find('\n'), std::string::npos) << result.error;
+    expectError(decodeHdr(text), part);
 }
 
-void expectError(const std::string& text, const std::string& part)
-{
-    const Result result = readText(text);
-    expectImageOrError(result);
-    EXPECT_FALSE(result.image.valid());
-    EXPECT_NE(result.error.find(part), std::string::npos) << "found: " << result.error << "\nexpected: " << part;
-}
-
-const float* at(const Result& result, int x, int fromTop)
+const float* at(const ImageResult& result, int x, int fromTop)
 {
     const auto row = static_cast<unsigned>(result.image->t() - 1 - fromTop);
     return reinterpret_cast<const float*>(result.image->data(static_cast<unsigned>(x), row));
 }
 
-void expectPixel(const Result& result, int x, int fromTop, const Rgbe& stored)
+void expectPixel(const ImageResult& result, int x, int fromTop, const Rgbe& stored)
 {
     const float* rgb = at(result, x, fromTop);
     for (std::size_t i = 0; i < 3; ++i)
@@ -167,7 +152,7 @@ TEST(RadianceHdr, EveryOrientationInEveryEncoding)
     for (const Orientation& orientation : kOrientations)
         for (const Encoder& encoder : {Encoder(flat), Encoder(oldRuns), Encoder(newRuns)}) {
             SCOPED_TRACE(orientation.text);
-            const Result result = readText(encode(orientation, encoder));
+            const ImageResult result = decodeHdr(encode(orientation, encoder));
             ASSERT_TRUE(result.image.valid()) << result.error;
             ASSERT_EQ(result.image->s(), kWidth);
             ASSERT_EQ(result.image->t(), kHeight);
@@ -181,7 +166,7 @@ TEST(RadianceHdr, EveryOrientationInEveryEncoding)
 TEST(RadianceHdr, ExtremesOfTheExponent)
 {
     const Scanline pixels = {{255, 255, 255, 255}, {200, 100, 50, 0}, {1, 0, 3, 1}, {128, 64, 32, 129}};
-    const Result result = readText(oneLine("", 4, flat(pixels)));
+    const ImageResult result = decodeHdr(oneLine("", 4, flat(pixels)));
     ASSERT_TRUE(result.image.valid()) << result.error;
     for (int x = 0; x < 4; ++x) expectPixel(result, x, 0, pixels[static_cast<std::size_t>(x)]);
     const float red[] = {255.0f * 0x1p119f, 0.0f, 0x1p-135f, 1.0f};  // the third is subnormal
@@ -194,11 +179,11 @@ TEST(RadianceHdr, OldRepeatCountsOfOneAndSeveralBytes)
     const std::string pixels = bytes(a) + bytes({1, 1, 1, 44, 1, 1, 1, 1}) +  // 44 + 1 * 256
                                bytes(b) + bytes({1, 1, 1, 2}) +               // a count after a pixel starts anew
                                bytes(a) + bytes({1, 1, 1, 0});                // a count of zero is none
-    const Result result = readText(oneLine("", 305, pixels));
+    const ImageResult result = decodeHdr(oneLine("", 305, pixels));
     ASSERT_TRUE(result.image.valid()) << result.error;
     for (int x = 0; x < 305; ++x) expectPixel(result, x, 0, x > 300 && x < 304 ? b : a);
 
-    const Result wide = readText(oneLine("", 65536, bytes(a) + bytes({1, 1, 1, 255, 1, 1, 1, 255})));
+    const ImageResult wide = decodeHdr(oneLine("", 65536, bytes(a) + bytes({1, 1, 1, 255, 1, 1, 1, 255})));
     ASSERT_TRUE(wide.image.valid()) << wide.error;
     for (const int x : {0, 1, 256, 65535}) expectPixel(wide, x, 0, a);
 }
@@ -213,7 +198,7 @@ TEST(RadianceHdr, LongestNewRunsAndLiterals)
         for (int i = 127; i < 255; ++i) pixels += bytes({i});
         pixels += bytes({128 + 45, 9});
     }
-    const Result result = readText(oneLine("", 300, pixels));
+    const ImageResult result = decodeHdr(oneLine("", 300, pixels));
     ASSERT_TRUE(result.image.valid()) << result.error;
     for (int x = 0; x < 300; ++x) expectPixel(result, x, 0, expected[static_cast<std::size_t>(x)]);
 }
@@ -221,14 +206,14 @@ TEST(RadianceHdr, LongestNewRunsAndLiterals)
 TEST(RadianceHdr, ExposureAndColourCorrectionAreDividedOut)
 {
     const std::string pixel = bytes({128, 64, 32, 129});  // 1, 1/2, 1/4
-    const Result result =
-        readText(oneLine("EXPOSURE=2.5e0\r\nEXPOSURE = +4\nCOLORCORR= 1 2\t0.5\nVIEW=EXPOSURE\nCOLORCORR=1 1 1\n", 1, pixel));
+    const ImageResult result =
+        decodeHdr(oneLine("EXPOSURE=2.5e0\r\nEXPOSURE = +4\nCOLORCORR= 1 2\t0.5\nVIEW=EXPOSURE\nCOLORCORR=1 1 1\n", 1, pixel));
     ASSERT_TRUE(result.image.valid()) << result.error;
     EXPECT_EQ(at(result, 0, 0)[0], 0.1f);
     EXPECT_EQ(at(result, 0, 0)[1], 0.025f);
     EXPECT_EQ(at(result, 0, 0)[2], 0.05f);
 
-    const Result bright = readText(oneLine("EXPOSURE=1e-30\n", 1, bytes({255, 255, 255, 255})));
+    const ImageResult bright = decodeHdr(oneLine("EXPOSURE=1e-30\n", 1, bytes({255, 255, 255, 255})));
     ASSERT_TRUE(bright.image.valid()) << bright.error;
     EXPECT_EQ(at(bright, 0, 0)[0], std::numeric_limits<float>::max()) << "beyond float: the largest, not infinity";
 }
@@ -259,7 +244,7 @@ TEST(RadianceHdr, XyzBecomesRec709)
 {
     for (const Rgbe stored :
          {Rgbe{243, 255, 255, 128}, Rgbe{40, 80, 20, 140}, Rgbe{200, 100, 30, 100}, Rgbe{128, 128, 128, 255}}) {
-        const Result result = readText(oneLine("FORMAT=32-bit_rle_xyze\n", 1, bytes(stored)));
+        const ImageResult result = decodeHdr(oneLine("FORMAT=32-bit_rle_xyze\n", 1, bytes(stored)));
         ASSERT_TRUE(result.image.valid()) << result.error;
         const std::array<double, 3> xyz = xyzOf(at(result, 0, 0));
         const double largest = std::ldexp(255.0, stored[3] - 136);
@@ -271,49 +256,50 @@ TEST(RadianceHdr, XyzBecomesRec709)
 TEST(RadianceHdr, HeadersThatAreRefused)
 {
     const auto resolution = [](const std::string& text) { return "#?RGBE\n\n" + text + "\n" + std::string(64, 'a'); };
-    expectError("", "empty");
-    expectError("#", "#?");
-    expectError("garbage", "#?");
-    expectError(std::string(1000, '\0'), "#?");
-    expectError("#?RADIANCE", "header ends early");
-    expectError("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n", "header ends early");
-    expectError("#?RADIANCE\n\n-Y 1 +X 1", "header ends early");
-    expectError("#?RADIANCE\nFORMAT=64-bit\n\n-Y 1 +X 1\nabcd", "FORMAT is \"64-bit\"");
+    expectHdrError("", "empty");
+    expectHdrError("#", "#?");
+    expectHdrError("garbage", "#?");
+    expectHdrError(std::string(1000, '\0'), "#?");
+    expectHdrError("#?RADIANCE", "header ends early");
+    expectHdrError("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n", "header ends early");
+    expectHdrError("#?RADIANCE\n\n-Y 1 +X 1", "header ends early");
+    expectHdrError("#?RADIANCE\nFORMAT=64-bit\n\n-Y 1 +X 1\nabcd", "FORMAT is \"64-bit\"");
     for (const char* value : {"", "abc", "0", "-1", "nan", "inf", "1e999", "1,5", "1 2", "1e-300", "0x10"})
-        expectError(oneLine(std::string("EXPOSURE=") + value + "\n", 1, "abcd"), "EXPOSURE");
-    expectError(oneLine("COLORCORR=1 2\n", 1, "abcd"), "COLORCORR");
+        expectHdrError(oneLine(std::string("EXPOSURE=") + value + "\n", 1, "abcd"), "EXPOSURE");
+    expectHdrError(oneLine("COLORCORR=1 2\n", 1, "abcd"), "COLORCORR");
     for (const char* text :
          {"-Y 0 +X 4", "-Y -2 +X 4", "-Y 4 +X", "-Y 1.5 +X 4", "-Y 99999999999999999999 +X 1", "-Y 65537 +X 1"})
-        expectError(resolution(text), "expected a whole number from 1 to 65536");
+        expectHdrError(resolution(text), "expected a whole number from 1 to 65536");
     for (const char* text : {"-Y 4 -Y 4", "-Z 4 +X 4", "4 4", "", "Y 4 X 4", "-Y 1 +X 1 junk"})
-        expectError(resolution(text), "resolution");
+        expectHdrError(resolution(text), "resolution");
 }
 
 TEST(RadianceHdr, ClaimsThatTheDataCannotHoldAreRefusedBeforeAllocation)
 {
-    expectError("#?RADIANCE\n\n-Y 100000 +X 100000\nabcd", "from 1 to 65536");
-    expectError("#?RADIANCE\n\n-Y 65536 +X 65536\nabcd", "2^28");
+    expectHdrError("#?RADIANCE\n\n-Y 100000 +X 100000\nabcd", "from 1 to 65536");
+    expectHdrError("#?RADIANCE\n\n-Y 65536 +X 65536\nabcd", "2^28");
     for (const char* text : {"-Y 16384 +X 16384", "-Y 65536 +X 4096", "+X 32767 -Y 8000", "-Y 4096 +X 65536"})
-        expectError(std::string("#?RADIANCE\n\n") + text + "\n" + std::string(1000, 'a'), "the data ends in or before scanline");
+        expectHdrError(std::string("#?RADIANCE\n\n") + text + "\n" + std::string(1000, 'a'),
+                       "the data ends in or before scanline");
 }
 
 TEST(RadianceHdr, DamagedScanlinesAreNamed)
 {
     const std::string two = "#?RADIANCE\n\n-Y 2 +X 8\n", line = bytes({2, 2, 0, 8, 136, 1, 136, 2, 136, 3, 136, 4});
-    ASSERT_TRUE(readText(two + line + line).image.valid());
+    ASSERT_TRUE(decodeHdr(two + line + line).image.valid());
     const std::string more(64, '\x88');
     const std::string where = "scanline 1 of 2: ";
-    expectError(two + line + bytes({2, 2, 0, 9}) + more, where + "it claims 9 pixels, expected 8");
-    expectError(two + line + bytes({2, 2, 0, 8, 137, 1}) + more, where + "a run of 9 values, expected 1 to 8");
-    expectError(two + line + bytes({2, 2, 0, 8, 9}) + more, where + "a run of 9 values");
-    expectError(two + line + bytes({2, 2, 0, 8, 0}) + more, where + "a run of 0 values");
-    expectError(two + line + bytes({1, 1, 1, 3}) + more, where + "a repeat count first");
-    expectError(two + line + bytes({9, 9, 9, 9, 1, 1, 1, 8}) + more, where + "a run of 8 pixels, expected at most 7");
-    expectError(two + line + bytes({9, 9, 9, 9, 1, 1, 1, 0, 1, 1, 1, 1}) + more, where + "a run of 256 pixels");
+    expectHdrError(two + line + bytes({2, 2, 0, 9}) + more, where + "it claims 9 pixels, expected 8");
+    expectHdrError(two + line + bytes({2, 2, 0, 8, 137, 1}) + more, where + "a run of 9 values, expected 1 to 8");
+    expectHdrError(two + line + bytes({2, 2, 0, 8, 9}) + more, where + "a run of 9 values");
+    expectHdrError(two + line + bytes({2, 2, 0, 8, 0}) + more, where + "a run of 0 values");
+    expectHdrError(two + line + bytes({1, 1, 1, 3}) + more, where + "a repeat count first");
+    expectHdrError(two + line + bytes({9, 9, 9, 9, 1, 1, 1, 8}) + more, where + "a run of 8 pixels, expected at most 7");
+    expectHdrError(two + line + bytes({9, 9, 9, 9, 1, 1, 1, 0, 1, 1, 1, 1}) + more, where + "a run of 256 pixels");
     std::string shifts = bytes({9, 9, 9, 9});
     for (int i = 0; i < 5; ++i) shifts += bytes({1, 1, 1, 0});
-    expectError(two + line + shifts + more, where + "a repeat count of more than 32 bits");
-    expectError(two + line + line.substr(0, 11), where + "the data ends");
+    expectHdrError(two + line + shifts + more, where + "a repeat count of more than 32 bits");
+    expectHdrError(two + line + line.substr(0, 11), where + "the data ends");
 }
 
 TEST(RadianceHdr, EveryTruncationIsAnError)
@@ -321,7 +307,7 @@ TEST(RadianceHdr, EveryTruncationIsAnError)
     for (const Encoder& encoder : {Encoder(flat), Encoder(oldRuns), Encoder(newRuns)}) {
         const std::string whole = encode(kOrientations[0], encoder);
         for (std::size_t size = 0; size < whole.size(); ++size) {
-            const Result result = readText(whole.substr(0, size));
+            const ImageResult result = decodeHdr(whole.substr(0, size));
             expectImageOrError(result);
             ASSERT_FALSE(result.image.valid()) << size << " of " << whole.size();
             const bool inPixels = size >= whole.find("+X 9\n") + 5;
@@ -339,7 +325,7 @@ TEST(RadianceHdr, EveryDamagedByteGivesAnImageOrAnError)
             for (int value = 0; value < 256; value += 3) {
                 std::string damaged = whole;
                 damaged[i] = static_cast<char>(value);
-                const Result result = readText(damaged);
+                const ImageResult result = decodeHdr(damaged);
                 expectImageOrError(result);
                 refused += result.image ? 0 : 1;
             }
@@ -389,7 +375,7 @@ TEST(RadianceHdr, NumbersIgnoreTheLocale)
     const std::string saved = std::setlocale(LC_ALL, nullptr);
     for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8"})
         if (std::setlocale(LC_ALL, name)) break;
-    const Result result = readText(oneLine("EXPOSURE=2.5\n", 1, bytes({128, 64, 32, 129})));
+    const ImageResult result = decodeHdr(oneLine("EXPOSURE=2.5\n", 1, bytes({128, 64, 32, 129})));
     std::setlocale(LC_ALL, saved.c_str());
     std::locale::global(before);
     ASSERT_TRUE(result.image.valid()) << result.error;

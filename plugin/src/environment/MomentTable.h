@@ -15,6 +15,12 @@ struct Moments {
     osg::Vec3d vector;
     osg::Vec3d rgb;
 
+    /** Unit direction that it comes from; where it comes from none, the other, of any length. */
+    osg::Vec3d centroid(const osg::Vec3d& otherwise) const
+    {
+        const double length = vector.length();
+        return flux > 0.0 && length > 1e-12 * flux ? vector / length : otherwise / otherwise.length();
+    }
     void operator-=(const Moments& o)
     {
         flux -= o.flux;

@@ -20,8 +20,6 @@ namespace osgEnvLight
 namespace
 {
 
-const unsigned on = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
-const unsigned off = osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
 const unsigned firstForwardUnit = SurfaceState::units;  // beyond those of the surfaces
 const int endOfFrame = std::numeric_limits<int>::max() - 1;
 
@@ -236,13 +234,14 @@ osg::StateSet& FrameGraph::stateOf(const Node& node, FrameContext& c)
     s.setName("osgEnvLight " + name);
     for (const std::string& d : in.defines) s.setDefine(d);
     for (const auto& u : in.uniforms) s.addUniform(u.get());
-    s.setAttribute(c.shaders.program("pass/fullscreen.vert", std::string("pass/") + node.pass->shader() + ".frag"), on);
-    for (GLenum mode : {GLenum(GL_BLEND), GLenum(GL_CULL_FACE), GLenum(GL_LIGHTING), GLenum(GL_ALPHA_TEST)}) s.setMode(mode, off);
-    for (GLenum plane = GL_CLIP_PLANE0; plane < GL_CLIP_PLANE0 + 6; ++plane) s.setMode(plane, off);
-    if (in.adds) s.setAttributeAndModes(new osg::BlendFunc(GL_ONE, GL_ONE), on);
-    if (in.blendsOverHost) s.setAttributeAndModes(new osg::BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA), on);
-    s.setAttribute(new osg::PolygonMode, on);
-    s.setAttributeAndModes(depthTest(in, reversed), in.toHost || in.marks.valid() ? on : off);
+    s.setAttribute(c.shaders.program("pass/fullscreen.vert", std::string("pass/") + node.pass->shader() + ".frag"), fixedOn);
+    for (GLenum mode : {GLenum(GL_BLEND), GLenum(GL_CULL_FACE), GLenum(GL_LIGHTING), GLenum(GL_ALPHA_TEST)})
+        s.setMode(mode, fixedOff);
+    for (GLenum plane = GL_CLIP_PLANE0; plane < GL_CLIP_PLANE0 + 6; ++plane) s.setMode(plane, fixedOff);
+    if (in.adds) s.setAttributeAndModes(new osg::BlendFunc(GL_ONE, GL_ONE), fixedOn);
+    if (in.blendsOverHost) s.setAttributeAndModes(new osg::BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA), fixedOn);
+    s.setAttribute(new osg::PolygonMode, fixedOn);
+    s.setAttributeAndModes(depthTest(in, reversed), in.toHost || in.marks.valid() ? fixedOn : fixedOff);
     for (unsigned unit = 0; unit < all.size(); ++unit) StateSets::bind(s, unit, all[unit]);
     return s;
 }

@@ -17,9 +17,8 @@ StateSets::State StateSets::get(const Key& key)
 
 void StateSets::bind(osg::StateSet& stateSet, unsigned unit, const Sampler& sampler)
 {
-    const unsigned on = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
-    stateSet.setTextureAttribute(unit, sampler.texture.get(), on);
-    stateSet.addUniform(new osg::Uniform(sampler.name.c_str(), int(unit)), on);
+    stateSet.setTextureAttribute(unit, sampler.texture.get(), fixedOn);
+    stateSet.addUniform(new osg::Uniform(sampler.name.c_str(), int(unit)), fixedOn);
 }
 
 void StateSets::endFrame()

@@ -14,6 +14,10 @@
 namespace osgEnvLight
 {
 
+/** Flags of what a pass sets: no state set of the host's changes it. */
+const unsigned fixedOn = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
+const unsigned fixedOff = osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
+
 /** The state sets of a view's passes. Each is known by what it is made from and never changes: a draw thread may be reading it.
  */
 class OSGENVLIGHT_EXPORT StateSets

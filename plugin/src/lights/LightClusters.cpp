@@ -14,12 +14,6 @@ namespace
 const size_t nearest = 20;   // neighbours asked when a cell changes its owner
 const size_t together = 16;  // cells compared with one generator at a time
 
-osg::Vec3d centroid(const Moments& m, const osg::Vec3d& otherwise)
-{
-    const double length = m.vector.length();
-    return m.flux > 0.0 && length > 1e-12 * m.flux ? m.vector / length : otherwise;
-}
-
 std::vector<LightRegion> cellsOf(const MomentTable& table, std::vector<LightRegion> start, size_t count)
 {
     RegionRule rule;
@@ -41,7 +35,7 @@ LightClusters::LightClusters(const MomentTable& table, unsigned count)
     for (size_t i = 0; i < regions.size(); ++i) {
         LightRegion& r = regions[i];
         r.owner = unsigned(i);
-        _generators.push_back(centroid(r.deciding, table.direction(0.5 * (r.u0 + r.u1), 0.5 * (r.v0 + r.v1))));
+        _generators.push_back(r.deciding.centroid(table.direction(0.5 * (r.u0 + r.u1), 0.5 * (r.v0 + r.v1))));
     }
     setCells(cellsOf(table, std::move(regions), microCells(count)));
     _assigned = true;
@@ -63,7 +57,7 @@ void LightClusters::setCells(const std::vector<LightRegion>& regions)
     for (std::vector<float>* v : {&_cx, &_cy, &_cz}) v->assign(padded, 0.0f);
     _owner.resize(_cells.size());
     for (size_t j = 0; j < _cells.size(); ++j) {
-        const osg::Vec3d d = centroid(_cells[j].deciding, osg::Vec3d(0, 0, 1));
+        const osg::Vec3d d = _cells[j].deciding.centroid(osg::Vec3d(0, 0, 1));
         _cx[j] = float(d.x());
         _cy[j] = float(d.y());
         _cz[j] = float(d.z());
@@ -188,7 +182,7 @@ void LightClusters::sumClusters()
 void LightClusters::moveGenerators()
 {
     for (size_t i = 0; i < _generators.size(); ++i)
-        if (_clusters[i].cells) _generators[i] = centroid(_clusters[i].deciding, _generators[i]);
+        if (_clusters[i].cells) _generators[i] = _clusters[i].deciding.centroid(_generators[i]);
     copyGenerators();
 }
 
@@ -199,7 +193,7 @@ osg::Vec3d LightClusters::cellDirection(size_t j) const
 
 unsigned LightClusters::farthestCell(unsigned cluster) const
 {
-    const osg::Vec3d g = centroid(_clusters[cluster].deciding, _generators[cluster]);
+    const osg::Vec3d g = _clusters[cluster].deciding.centroid(_generators[cluster]);
     unsigned farthest = 0;
     double cosine = 2.0;
     for (size_t j = 0; j < _cells.size(); ++j) {
@@ -230,7 +224,7 @@ void LightClusters::fillEmpty()
         if (worst < 0) return;
         const unsigned w = unsigned(worst);
         const unsigned far = farthestCell(w);
-        const osg::Vec3d g = centroid(_clusters[w].deciding, _generators[w]);
+        const osg::Vec3d g = _clusters[w].deciding.centroid(_generators[w]);
         const osg::Vec3d away = cellDirection(far) - g;
         // The farthest cell always goes over, and what is nearer to it than to the centroid, but not the last cell.
         unsigned left = _clusters[w].cells - 1;
@@ -242,8 +236,8 @@ void LightClusters::fillEmpty()
         }
         _owner[far] = e;
         sumClusters();
-        _generators[e] = centroid(_clusters[e].deciding, _generators[e]);
-        _generators[w] = centroid(_clusters[w].deciding, _generators[w]);
+        _generators[e] = _clusters[e].deciding.centroid(_generators[e]);
+        _generators[w] = _clusters[w].deciding.centroid(_generators[w]);
     }
     copyGenerators();
 }
@@ -289,7 +283,7 @@ LightList LightClusters::lights() const
     LightList lights(_generators.size());
     for (size_t i = 0; i < lights.size(); ++i) {
         const Moments& m = _clusters[i].light;
-        lights[i].direction = centroid(m, _generators[i]);
+        lights[i].direction = m.centroid(_generators[i]);
         for (int k = 0; k < 3; ++k) lights[i].flux[k] = std::max(m.rgb[k], 0.0);
     }
     return lights;

@@ -17,12 +17,6 @@ namespace
 const int largeSide = 64;
 const int smallSide = 8;
 
-osg::Vec3d centroid(const Moments& m, const osg::Vec3d& otherwise)
-{
-    const double length = m.vector.length();
-    return m.flux > 0.0 && length > 1e-12 * m.flux ? m.vector / length : otherwise / otherwise.length();
-}
-
 osg::Vec2d azimuthAt(double u)
 {
     const glsl::vec3 d = glsl::directionFromLatlong(glsl::vec2(u, 0.5));
@@ -198,7 +192,7 @@ LightList LightTexels::lights() const
     LightList list;
     list.reserve(_lit);
     for (size_t i = 0; i < size(); ++i)
-        if (deciding(i) > 0.0) list.push_back({centroid(_light[i], direction(i)), _light[i].rgb});
+        if (deciding(i) > 0.0) list.push_back({_light[i].centroid(direction(i)), _light[i].rgb});
     return list;
 }
 
@@ -223,7 +217,7 @@ LightList gatherLights(const LightTexels& texels, const std::vector<unsigned>& o
     }
     LightList lights;
     lights.reserve(directions.size());
-    for (size_t k = 0; k < sums.size(); ++k) lights.push_back({centroid(sums[k], directions[k]), sums[k].rgb});
+    for (size_t k = 0; k < sums.size(); ++k) lights.push_back({sums[k].centroid(directions[k]), sums[k].rgb});
     return lights;
 }
 

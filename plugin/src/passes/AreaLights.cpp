@@ -17,9 +17,6 @@ namespace osgEnvLight
 namespace
 {
 
-// Where the first frame draws all maps at once instead of a few a frame [SkyShadows].
-const double firstFrameTriangles = 2e7;
-
 // So many lights have closed forms. Of more, all points stand for them, and a pixel's time does not grow with their number any
 // more.
 const size_t mostClosedForms = 8;
@@ -42,7 +39,7 @@ Requirement requireReceivers(const FrameContext& c, Requirement lights)
     return lights.unless(c.facts.surfaces.deferred == 0, c.facts.whyNoneIsDeferred());
 }
 
-Requirement requireShadows(const FrameContext& c)
+Requirement requireMaps(const FrameContext& c)
 {
     Requirement shadows = requireLights(c);
     shadows.unless(!c.settings.occlusion, "occlusion is off");
@@ -111,9 +108,9 @@ osg::ref_ptr<osg::Image> lightImage(const std::vector<Emitter>& lights, const os
 Requirement AreaMapsPass::require(const FrameContext& c) const
 {
     const std::string side = std::to_string(c.settings.areaMapSize);
-    return requireShadows(c).because(counted(pointsOf(c.settings), "map") + " of " + side + " x " + side + " of " +
-                                     counted(c.facts.casters, "drawable") + ", from points on " +
-                                     counted(c.facts.areaLights, "area light"));
+    return requireMaps(c).because(counted(pointsOf(c.settings), "map") + " of " + side + " x " + side + " of " +
+                                  counted(c.facts.casters, "drawable") + ", from points on " +
+                                  counted(c.facts.areaLights, "area light"));
 }
 
 EmitterMaps& AreaMapsPass::make(unsigned points, unsigned size)
@@ -139,8 +136,7 @@ void AreaMapsPass::update(FrameContext& c)
 {
     EmitterMaps& maps = make(pointsOf(c.settings), unsigned(c.settings.areaMapSize));
     maps.setCasters(c.casters);
-    const bool fits = 2.0 * maps.points * double(maps.triangles()) <= firstFrameTriangles;
-    const bool all = c.settings.regeneration == Settings::IMMEDIATE || (maps.version() == 0 && fits);
+    const bool all = drawsAllAtOnce(c.settings, maps.points, maps.version() != 0, maps.triangles());
     _refreshes =
         maps.update(emitterPoints(c.areaLights, maps.points), all ? maps.points : unsigned(c.settings.atlasUpdatesPerFrame));
     if (!_points || _pointVersion != maps.version()) _points = textureOf(maps.pointImage());
@@ -174,7 +170,7 @@ void AreaMapsPass::releaseGLObjects(osg::State* state) const
 
 Requirement AreaShadowPass::require(const FrameContext& c) const
 {
-    return requireReceivers(c, requireShadows(c))
+    return requireReceivers(c, requireMaps(c))
         .because(std::to_string(pointsOf(c.settings) / limits::LIGHT_GROUPS) + " points a pixel, each asking its map");
 }
 
@@ -193,7 +189,7 @@ void AreaShadowPass::setup(PassBuilder& b, FrameContext& c)
 
 Requirement AreaRowsPass::require(const FrameContext& c) const
 {
-    return requireReceivers(c, requireShadows(c)).because("averages the 16 groups of points along rows");
+    return requireReceivers(c, requireMaps(c)).because("averages the 16 groups of points along rows");
 }
 
 void AreaRowsPass::setup(PassBuilder& b, FrameContext&)
@@ -204,7 +200,7 @@ void AreaRowsPass::setup(PassBuilder& b, FrameContext&)
 
 Requirement AreaFilterPass::require(const FrameContext& c) const
 {
-    return requireReceivers(c, requireShadows(c)).because("averages the 16 groups of points, the rows along columns");
+    return requireReceivers(c, requireMaps(c)).because("averages the 16 groups of points, the rows along columns");
 }
 
 void AreaFilterPass::setup(PassBuilder& b, FrameContext&)

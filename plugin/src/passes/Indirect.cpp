@@ -16,7 +16,6 @@ namespace osgEnvLight
 namespace
 {
 
-const unsigned on = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
 const unsigned bouncesAfterChange = 64;  // in a closed room of albedo .9 a thousandth of the light is left out
 const unsigned bouncesPerFrame = 4;
 const unsigned lightTurns = 8;        // frames in which all points are lit, while light changes steadily
@@ -253,7 +252,7 @@ BounceDraw::States BouncesPass::statesOf(PassBuilder& b, FrameContext& c) const
         if (!made.isNew) return osg::ref_ptr<osg::StateSet>(&made.stateSet);
         osg::StateSet& s = made.stateSet;
         for (const std::string& d : defines) s.setDefine(d);
-        s.setAttribute(c.shaders.program("pass/fullscreen.vert", shader), on);
+        s.setAttribute(c.shaders.program("pass/fullscreen.vert", shader), fixedOn);
         s.setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0, 1, false), osg::StateAttribute::OFF);
         for (unsigned unit = 0; unit < samplers.size(); ++unit) StateSets::bind(s, unit, samplers[unit]);
         return osg::ref_ptr<osg::StateSet>(&s);

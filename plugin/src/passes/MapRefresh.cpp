@@ -14,7 +14,8 @@ namespace osgEnvLight
 namespace
 {
 
-const unsigned on = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE | osg::StateAttribute::PROTECTED;
+// As many as a frame of a large model has: 256 maps of 40 000, drawn twice.
+const double firstFrameTriangles = 2e7;
 
 AtlasRefresh::States statesOf(PassBuilder& b, FrameContext& c, const char* shader, const ShadowTargets& targets)
 {
@@ -25,20 +26,20 @@ AtlasRefresh::States statesOf(PassBuilder& b, FrameContext& c, const char* shade
         osg::StateSet& s = state.stateSet;
         (second ? states.second : states.first) = &s;
         if (!state.isNew) continue;
-        s.setAttribute(c.shaders.program("pass/caster.vert", "pass/caster.frag"), on);
-        s.setAttributeAndModes(new osg::Depth(osg::Depth::LESS, 0, 1, true), on);
-        s.setMode(GL_DEPTH_CLAMP, on);  // what lies above a map's heights casts shadows into it
+        s.setAttribute(c.shaders.program("pass/caster.vert", "pass/caster.frag"), fixedOn);
+        s.setAttributeAndModes(new osg::Depth(osg::Depth::LESS, 0, 1, true), fixedOn);
+        s.setMode(GL_DEPTH_CLAMP, fixedOn);  // what lies above a map's heights casts shadows into it
         s.addUniform(new osg::Uniform("baseColorMap", 0));
         if (!second) continue;
         s.setDefine("CASTER_SECOND");
-        s.setAttribute(new osg::ColorMask(false, true, false, false), on);  // beside the first one's slope
+        s.setAttribute(new osg::ColorMask(false, true, false, false), fixedOn);  // beside the first one's slope
         StateSets::bind(s, 1, {"firstDepthMap", targets.firstDepth.get()});
     }
     const StateSets::State state = b.states().get({shader, {}, {targets.firstDepth.get()}});
     states.midpoints = &state.stateSet;
     if (state.isNew) {
         osg::StateSet& s = state.stateSet;
-        s.setAttribute(c.shaders.program("pass/fullscreen.vert", shader), on);
+        s.setAttribute(c.shaders.program("pass/fullscreen.vert", shader), fixedOn);
         s.setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0, 1, false), osg::StateAttribute::OFF);
         StateSets::bind(s, 0, {"firstDepthMap", targets.firstDepth.get()});
         StateSets::bind(s, 1, {"secondDepthMap", targets.secondDepth.get()});
@@ -48,6 +49,12 @@ AtlasRefresh::States statesOf(PassBuilder& b, FrameContext& c, const char* shade
 }
 
 }  // namespace
+
+bool drawsAllAtOnce(const Settings& settings, unsigned maps, bool known, size_t triangles)
+{
+    const bool fits = 2.0 * maps * double(triangles) <= firstFrameTriangles;
+    return settings.regeneration == Settings::IMMEDIATE || (!known && fits);
+}
 
 void drawMaps(PassBuilder& b, FrameContext& c, const char* pass, const std::string& name, const char* shader, osg::Camera& camera,
               const ShadowTargets& targets, const std::vector<ShadowRefresh>& refreshes, std::vector<Caster>&& casters)

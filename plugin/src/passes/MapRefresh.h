@@ -20,6 +20,11 @@ void drawMaps(PassBuilder& builder, FrameContext& context, const char* pass, con
               osg::Camera& camera, const ShadowTargets& targets, const std::vector<ShadowRefresh>& refreshes,
               std::vector<Caster>&& casters);
 
+/** Whether a frame draws all maps instead of a few: as settings.regeneration says, and the first frame unless the model is large.
+ * @param known  whether an earlier frame has drawn any
+ * @param triangles  in each map */
+bool drawsAllAtOnce(const Settings& settings, unsigned maps, bool known, size_t triangles);
+
 /** A draw may still use them. */
 void retire(const ShadowTargets& targets, RetiredObjects& retired);
 

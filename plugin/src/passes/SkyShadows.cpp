@@ -15,14 +15,9 @@ namespace osgEnvLight
 namespace
 {
 
-// Where the first frame draws all maps at once instead of a few a frame: as many triangles as a frame of a large model has,
-// 256 maps of 40 000 drawn twice.
-const double firstFrameTriangles = 2e7;
-
 bool drawsAllAtOnce(const FrameContext& c, const ShadowAtlas& maps)
 {
-    const bool fits = 2.0 * maps.lights * double(maps.triangles()) <= firstFrameTriangles;
-    return c.settings.regeneration == Settings::IMMEDIATE || (maps.version() == 0 && fits);
+    return drawsAllAtOnce(c.settings, maps.lights, maps.version() != 0, maps.triangles());
 }
 
 // Whether a view may show less of the scene than the largest cascade: the nearest that there may be is less wide in it.
@@ -38,7 +33,7 @@ bool mayShowLittle(const FrameContext& c)
     return (view.at(1, 1, depth) - view.at(-1, -1, depth)).length() < NearCascade::largest * diagonal(box);
 }
 
-std::string describe(const osg::BoundingSphered& shown)
+std::string describeFocus(const osg::BoundingSphered& shown)
 {
     std::ostringstream out;
     out.imbue(std::locale::classic());
@@ -125,7 +120,7 @@ void SkyShadows::update(FrameContext& c)
 
 void SkyShadows::setup(PassBuilder& b, FrameContext& c)
 {
-    if (c.nearSkyMaps) c.remark(describe(c.nearSkyMaps->focus()));
+    if (c.nearSkyMaps) c.remark(describeFocus(c.nearSkyMaps->focus()));
     _all.draw(b, c, name(), "atlas");
     _near.draw(b, c, name(), "near atlas");
 }

@@ -65,8 +65,8 @@ Requirement requireReflections(const FrameContext& c)
     return reflections.unless(!c.decisions.atlas.needed, "without the atlas nobody knows what blocks the map");
 }
 
-const TextureDesc sums = {GL_RGBA32F_ARB};     // radiance of a mirrored sun exceeds half floats in units of the map's mean
-const TextureDesc packed = {GL_RGBA32UI_EXT};  // as in pass/lobesums.glsl
+const TextureDesc sums = {GL_RGBA32F_ARB};          // radiance of a mirrored sun exceeds half floats in units of the map's mean
+const TextureDesc packedLobes = {GL_RGBA32UI_EXT};  // as in pass/lobesums.glsl
 
 }  // namespace
 
@@ -105,7 +105,7 @@ void LobeRowsPass::setup(PassBuilder& b, FrameContext& c)
     }
     if (!b.read("lobe lights", "lobeLightMap")) return;
     b.define("HAS_LOBE_LIGHTS");
-    b.write(b.create("row lobe lights", packed));
+    b.write(b.create("row lobe lights", packedLobes));
 }
 
 Requirement CoatPass::require(const FrameContext& c) const

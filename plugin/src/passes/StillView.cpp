@@ -75,7 +75,7 @@ Accumulation::Key keyOf(const FrameContext& c)
     return key;
 }
 
-std::string describe(const Accumulation& a, const Settings& settings)
+std::string describeAverage(const Accumulation& a, const Settings& settings)
 {
     if (a.frames() == 0) return "begins when nothing moves";
     return "frame " + std::to_string(a.frames()) + " of " + std::to_string(settings.accumulateFrames) + ", " +
@@ -153,7 +153,7 @@ Requirement AccumulatePass::require(const FrameContext& c) const
 void AccumulatePass::setup(PassBuilder& b, FrameContext& c)
 {
     const Accumulation& a = *c.still;
-    c.remark(describe(a, c.settings));
+    c.remark(describeAverage(a, c.settings));
     const TextureId average = b.create("average", {GL_RGBA32F_ARB, 0, true});
     const TextureId squares = b.create("average of squares", {GL_R32F, 0, true});
     if (!a.adds()) {

@@ -16,7 +16,7 @@ namespace osgEnvLight
 namespace
 {
 
-Requirement requireShadows(const FrameContext& c)
+Requirement requireSunMaps(const FrameContext& c)
 {
     Requirement shadows = c.decisions.sunMaps;
     return shadows.unless(c.facts.surfaces.deferred == 0, c.facts.whyNoneIsDeferred());
@@ -120,7 +120,7 @@ void SunMaps::releaseGLObjects(osg::State* state) const
 
 Requirement SunShadowPass::require(const FrameContext& c) const
 {
-    return requireShadows(c).because("a point of each disc a pixel");
+    return requireSunMaps(c).because("a point of each disc a pixel");
 }
 
 void SunShadowPass::setup(PassBuilder& b, FrameContext& c)
@@ -136,7 +136,7 @@ void SunShadowPass::setup(PassBuilder& b, FrameContext& c)
 
 Requirement PenumbraPass::require(const FrameContext& c) const
 {
-    return requireShadows(c).because("where neighbours see suns unlike each other");
+    return requireSunMaps(c).because("where neighbours see suns unlike each other");
 }
 
 void PenumbraPass::setup(PassBuilder& b, FrameContext& c)
@@ -151,7 +151,7 @@ void PenumbraPass::setup(PassBuilder& b, FrameContext& c)
 
 Requirement SunFilterPass::require(const FrameContext& c) const
 {
-    return requireShadows(c).because("16 points of each disc a pixel in penumbrae");
+    return requireSunMaps(c).because("16 points of each disc a pixel in penumbrae");
 }
 
 void SunFilterPass::setup(PassBuilder& b, FrameContext& c)

@@ -19,13 +19,6 @@ namespace
 // A caster or a light that has moved by more than this, in shares of what casts shadows, makes maps outdated.
 const double movedShare = 1e-4;
 
-void writeRow(osg::Image& image, unsigned point, unsigned row, const osg::Vec3d& v, double w)
-{
-    float* out = reinterpret_cast<float*>(image.data(point, row));
-    for (int k = 0; k < 3; ++k) out[k] = float(v.ptr()[k]);
-    out[3] = float(w);
-}
-
 }  // namespace
 
 EmitterMaps::EmitterMaps(unsigned pointCount, unsigned mapSize) : points(pointCount), size(mapSize), _maps(pointCount)
@@ -167,13 +160,13 @@ osg::ref_ptr<osg::Image> EmitterMaps::pointImage() const
         const EmitterPoint& point = _list[i];
         const Map& map = _maps[i];
         const osg::Vec3d drawnFrom = map.position - _targets.origin;
-        writeRow(*image, i, 0, point.position - _targets.origin, point.area);
-        writeRow(*image, i, 1, point.normal, map.nearest);
-        writeRow(*image, i, 2, point.power, map.octaves);
-        writeRow(*image, i, 3, map.across, -(drawnFrom * map.across));
-        writeRow(*image, i, 4, map.up, -(drawnFrom * map.up));
-        writeRow(*image, i, 5, map.along, -(drawnFrom * map.along));
-        writeRow(*image, i, 6, osg::Vec3d(map.window[0], map.window[1], sumScale), map.drawn ? map.tangent : 0.0);
+        writeTexel(*image, i, 0, point.position - _targets.origin, point.area);
+        writeTexel(*image, i, 1, point.normal, map.nearest);
+        writeTexel(*image, i, 2, point.power, map.octaves);
+        writeTexel(*image, i, 3, map.across, -(drawnFrom * map.across));
+        writeTexel(*image, i, 4, map.up, -(drawnFrom * map.up));
+        writeTexel(*image, i, 5, map.along, -(drawnFrom * map.along));
+        writeTexel(*image, i, 6, osg::Vec3d(map.window[0], map.window[1], sumScale), map.drawn ? map.tangent : 0.0);
     }
     return image;
 }

@@ -18,7 +18,7 @@ const double farthest = 4.0;
 // An eye no further from the middle of what it sees, in radii of that, is amid it.
 const double amid = 1.5;
 // How much larger than what the view shows: how far the view may wander. The sphere stays while it is no larger than the second.
-const double spare = 1.5;
+const double reserve = 1.5;
 const double tooLarge = 4.0;
 
 osg::BoundingSphered about(const osg::Vec3d& center, const std::vector<osg::Vec3d>& points)
@@ -60,7 +60,7 @@ void NearCascade::follow(const ProbedPoints& seen, double sceneRadius)
     const bool within = _sphere.valid() && (wanted.center() - _sphere.center()).length() + wanted.radius() <= _sphere.radius();
     if (within && _sphere.radius() < tooLarge * wanted.radius()) return;
     // Steps of the radius and of the centre: maps drawn anew for a neighbouring place have the former's texels.
-    const double radius = std::exp2(std::ceil(2.0 * std::log2(spare * wanted.radius())) / 2.0);
+    const double radius = std::exp2(std::ceil(2.0 * std::log2(reserve * wanted.radius())) / 2.0);
     _sphere.init();
     if (!(radius > 0.0) || !(radius <= largest * sceneRadius)) return;
     _sphere = osg::BoundingSphered(wanted.center(), radius);

@@ -34,9 +34,7 @@ bool sameLights(const LightList& a, const LightList& b)
 
 void writeRow(osg::Image& image, unsigned light, unsigned row, const osg::Vec3d& v, double w)
 {
-    float* out = reinterpret_cast<float*>(image.data(light / groups, 4 * (light % groups) + row));
-    for (int k = 0; k < 3; ++k) out[k] = float(v.ptr()[k]);
-    out[3] = float(w);
+    writeTexel(image, light / groups, 4 * (light % groups) + row, v, w);
 }
 
 }  // namespace

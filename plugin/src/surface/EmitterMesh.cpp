@@ -12,7 +12,7 @@ namespace
 const unsigned discCorners = 64;
 const unsigned sphereRows = 24;
 
-struct Mesh {
+struct Triangles {
     osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
     osg::ref_ptr<osg::Vec3Array> normals = new osg::Vec3Array;
     osg::ref_ptr<osg::DrawElementsUShort> triangles = new osg::DrawElementsUShort(GL_TRIANGLES);
@@ -28,7 +28,7 @@ struct Mesh {
     }
 };
 
-void addSphere(const Emitter& e, Mesh& mesh)
+void addSphere(const Emitter& e, Triangles& mesh)
 {
     const unsigned columns = 2 * sphereRows;
     for (unsigned row = 0; row <= sphereRows; ++row)
@@ -48,9 +48,9 @@ void addSphere(const Emitter& e, Mesh& mesh)
         }
 }
 
-Mesh meshOf(const Emitter& e)
+Triangles meshOf(const Emitter& e)
 {
-    Mesh mesh;
+    Triangles mesh;
     if (e.shape == AreaLight::SPHERE) addSphere(e, mesh);
     if (e.shape == AreaLight::RECTANGLE)
         for (const osg::Vec3d& corner : {-e.u - e.v, e.u - e.v, e.u + e.v, e.v - e.u})
@@ -71,7 +71,7 @@ Mesh meshOf(const Emitter& e)
     return mesh;
 }
 
-osg::ref_ptr<osg::Geometry> geometryOf(const Mesh& mesh)
+osg::ref_ptr<osg::Geometry> geometryOf(const Triangles& mesh)
 {
     osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
     geometry->setUseVertexBufferObjects(true);
@@ -90,7 +90,7 @@ osg::ref_ptr<osg::Geometry> makeEmitterMesh(const Emitter& emitter)
 
 osg::ref_ptr<osg::Geometry> makeEmitterBack(const Emitter& emitter)
 {
-    Mesh mesh = meshOf(emitter);
+    Triangles mesh = meshOf(emitter);
     for (osg::Vec3& n : *mesh.normals) n = -n;
     for (size_t i = 0; i + 2 < mesh.triangles->size(); i += 3) std::swap((*mesh.triangles)[i + 1], (*mesh.triangles)[i + 2]);
     return geometryOf(mesh);
