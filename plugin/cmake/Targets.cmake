@@ -5,7 +5,14 @@ set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)
 
-add_compile_options(-Wall -Wextra -Wconversion -Wshadow -Werror)
+add_compile_options(-Wall -Wextra -Wconversion -Werror)
+if(ENVLIGHT_UNITE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # Files compiled together may name a local thing as another's own global one; and the compiler takes their nameless
+    # namespaces for those of headers.
+    add_compile_options(-Wshadow=local -Wno-subobject-linkage)
+else()
+    add_compile_options(-Wshadow)
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
     # osg/Array overloads virtual functions by hiding; its headers are not ours to change.
     add_compile_options(-Wno-overloaded-virtual)
@@ -23,6 +30,27 @@ endif()
 # what it uses.
 function(envlight_precompile name)
     target_precompile_headers(${name} PRIVATE ${ARGN})
+endfunction()
+
+# Files of one folder, compiled sixteen at a time: the templates of the host's headers take three quarters of the time of a file
+# alone, precompiled or not. So no two files of a folder may define one name, in a nameless namespace either. The clang preset
+# compiles each file alone.
+function(envlight_unite name)
+    get_target_property(sources ${name} SOURCES)
+    set(files 0)
+    foreach(source IN LISTS sources)
+        get_filename_component(path ${source} ABSOLUTE)
+        get_filename_component(folder ${path} DIRECTORY)
+        if(NOT folder STREQUAL last)
+            set(files 0)
+        endif()
+        set(last ${folder})
+        math(EXPR group "${files} / 16")
+        math(EXPR files "${files} + 1")
+        get_filename_component(folder ${folder} NAME)
+        set_property(SOURCE ${source} PROPERTY UNITY_GROUP ${folder}${group})
+    endforeach()
+    set_target_properties(${name} PROPERTIES UNITY_BUILD ${ENVLIGHT_UNITE} UNITY_BUILD_MODE GROUP)
 endfunction()
 
 # For what takes longer to compile than to run.

@@ -6,6 +6,9 @@
 #include "EmitterPoses.h"
 #include "Parity.h"
 
+namespace emitter_parity_test
+{
+
 using namespace parity;
 using namespace testmaths;
 using glsl::vec3;
@@ -104,3 +107,5 @@ TEST(parity, ltc)
                  },
                  within(1e-3, 1e-3), {table});
 }
+
+}  // namespace emitter_parity_test

@@ -4,6 +4,9 @@
 #include "Parity.h"
 #include "Projections.h"
 
+namespace geometry_parity_test
+{
+
 using namespace parity;
 using glsl::mat4;
 using glsl::vec2;
@@ -375,3 +378,5 @@ TEST(parity, bilateral)
         rows, [](auto& in) { return vec4(glsl::surfaceWeight(in[1].w, glsl::dot(vec3(in[0]), vec3(in[1]))), 1.0, 0.5, 0); },
         within(5e-6, 2e-6));
 }
+
+}  // namespace geometry_parity_test

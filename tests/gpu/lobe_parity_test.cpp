@@ -4,6 +4,9 @@
 #include "Parity.h"
 #include "Projections.h"
 
+namespace lobe_parity_test
+{
+
 using namespace parity;
 using glsl::vec2;
 using glsl::vec3;
@@ -265,3 +268,5 @@ TEST(parity, sun)
             return 1e-4 * exact + 1e-5 * std::min(in[1].w * in[1].w, in[0].w * in[0].w);
         });
 }
+
+}  // namespace lobe_parity_test

@@ -14,6 +14,9 @@
 #include "DefineSets.h"
 #include "GlContext.h"
 
+namespace validation_test
+{
+
 using osgEnvLight::ShaderLibrary;
 namespace fs = std::filesystem;
 
@@ -171,3 +174,5 @@ TEST(validation, TheDriverLinksEveryReachableSet)
         return sets.size() <= most ? sets : someSets(defines);
     });
 }
+
+}  // namespace validation_test

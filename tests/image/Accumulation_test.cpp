@@ -16,6 +16,9 @@
 #include "SuiteScenes.h"
 #include "TracedView.h"
 
+namespace Accumulation_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
 
@@ -226,3 +229,5 @@ TEST(Accumulation, WithoutItNothingIsKept)
     renderer.render(lit, 2);
     EXPECT_EQ(without, lit->textureBytes());
 }
+
+}  // namespace Accumulation_test

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+namespace AreaShadows_test
+{
+
 using osgEnvLight::LitScene;
 
 namespace
@@ -42,3 +45,5 @@ INSTANTIATE_TEST_SUITE_P(Scenes, AreaShadows,
                          testing::Values(Bound{"table", 0.0108}, Bound{"room", 0.0112}, Bound{"grille", 0.0194},
                                          Bound{"strips", 0.0537}, Bound{"many", 0.0145}),
                          [](const auto& i) { return std::string(i.param.scene); });
+
+}  // namespace AreaShadows_test

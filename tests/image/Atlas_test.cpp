@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+namespace Atlas_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
 
@@ -159,3 +162,5 @@ TEST(Atlas, StandingStillDrawsNoMapAgain)
     renderer.render(lit);
     EXPECT_LT(lit->textureBytes(), bytes / 2);
 }
+
+}  // namespace Atlas_test

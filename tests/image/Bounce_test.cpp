@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+namespace Bounce_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
 
@@ -119,3 +122,5 @@ TEST(Bounce, ThePlanSaysWhyNot)
     renderer.render(lit);
     EXPECT_EQ("switched off", lit->plan().reason("bounce"));
 }
+
+}  // namespace Bounce_test

@@ -11,6 +11,9 @@
 
 #include <gtest/gtest.h>
 
+namespace Casters_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
 
@@ -170,3 +173,5 @@ TEST_F(Casters, ShapesThatChange)
     geometry.dirtyGLObjects();
     EXPECT_NEAR(shaded, occluded(), 0.02);
 }
+
+}  // namespace Casters_test

@@ -8,6 +8,9 @@
 #include <array>
 #include <cmath>
 
+namespace Extremes_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
 
@@ -177,3 +180,5 @@ TEST(OcclusionExtremes, RadiusAndThicknessAtTheirEnds)
             EXPECT_LE(r.most, 1.0 + 1e-6) << int(method) << " " << radius << " " << thickness;
         }
 }
+
+}  // namespace Extremes_test

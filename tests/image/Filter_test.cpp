@@ -7,6 +7,9 @@
 #include <cmath>
 #include <complex>
 
+namespace Filter_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
 
@@ -119,3 +122,5 @@ TEST_P(Filter, NoHaloAtADepthStep)
     for (int y = side / 2; y < side / 2 + half + 8; ++y) floor = std::min(floor, double(p.color(side / 2 - half - 4, y)[1]));
     EXPECT_LT(floor, 0.8);
 }
+
+}  // namespace Filter_test

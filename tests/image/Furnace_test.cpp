@@ -8,6 +8,9 @@
 
 #include "Brdfs.h"
 
+namespace Furnace_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Material;
 using osgEnvLight::Settings;
@@ -113,3 +116,5 @@ TEST(Furnace, IntensityScalesAndRotationDoesNothing)
     lit->getEnvironmentMap()->setRotation(137.0);
     EXPECT_LT(worstDeviation(renderer.render(lit), 3.5), 0.005);
 }
+
+}  // namespace Furnace_test

@@ -11,6 +11,9 @@
 #include <sstream>
 #include <stdexcept>
 
+namespace ImageSuite_test
+{
+
 using suite::Figure;
 using suite::Figures;
 using suite::Result;
@@ -165,3 +168,5 @@ TEST(ImageSuiteTable, HalfTheSpecularSamplesAreWorse)
     if (half == 0.0) GTEST_SKIP() << "nothing glossy is installed";
     EXPECT_LT(all, 0.8 * half);
 }
+
+}  // namespace ImageSuite_test

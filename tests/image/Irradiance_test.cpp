@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+namespace Irradiance_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
 
@@ -120,3 +123,5 @@ TEST(Irradiance, DoesNotDependOnTheCamera)
         for (int k = 0; k < 3; ++k) EXPECT_NEAR(c[k] / first[k], 1.0, 0.01) << "view " << i << ", channel " << k;
     }
 }
+
+}  // namespace Irradiance_test

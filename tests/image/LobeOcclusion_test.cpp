@@ -15,6 +15,9 @@
 #include "MetalBalls.h"
 #include "TracedView.h"
 
+namespace LobeOcclusion_test
+{
+
 using osgEnvLight::Layer;
 using osgEnvLight::LitScene;
 using osgEnvLight::Material;
@@ -127,3 +130,5 @@ TEST(LobeOcclusion, LampsLeaveNoSpecksOnBalls)
         EXPECT_LT(errorOf(seen, Layer::SPECULAR_VISIBLE), row.seen) << row.roughness;
     }
 }
+
+}  // namespace LobeOcclusion_test

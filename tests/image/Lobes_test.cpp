@@ -9,6 +9,9 @@
 #include "Brdfs.h"
 #include "MetalBalls.h"
 
+namespace Lobes_test
+{
+
 using osgEnvLight::Layer;
 using osgEnvLight::LitScene;
 using osgEnvLight::Material;
@@ -200,3 +203,5 @@ TEST(Lobes, ASceneCompilesItsOwn)
     renderer.render(metal.get(), 2);
     EXPECT_EQ(metal->plan().surfaces.lobes, 1u << Material::COOK_TORRANCE | osgEnvLight::SurfaceKinds::EDGES);
 }
+
+}  // namespace Lobes_test

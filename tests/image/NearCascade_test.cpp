@@ -6,6 +6,9 @@
 
 #include "TracedView.h"
 
+namespace NearCascade_test
+{
+
 using namespace atlasscenes;
 using osgEnvLight::Layer;
 
@@ -168,3 +171,5 @@ TEST_F(Streets, AStillViewConvergesToTheTruth)
     // Measured .025; with maps of up to 1024 texels .013, of which .009 are the reference's noise.
     EXPECT_LT(errorOf(p, 256, true), 0.03);
 }
+
+}  // namespace NearCascade_test

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+namespace Occlusion_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
 
@@ -144,3 +147,5 @@ TEST(Occlusion, SubtractionAgreesWithTheRatioWhereBothAreMeant)
     EXPECT_GT(rootMeanSquare(ratio, subtract), 0.0);   // they are two formulas
     EXPECT_LT(rootMeanSquare(ratio, subtract), 0.01);  // that differ by the lists' error: 1 % of the radiance
 }
+
+}  // namespace Occlusion_test

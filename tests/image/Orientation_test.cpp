@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+namespace Orientation_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Material;
 
@@ -83,3 +86,5 @@ TEST(Orientation, BackgroundMirrorAndLightAgree)
         }
     }
 }
+
+}  // namespace Orientation_test

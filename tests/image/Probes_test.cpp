@@ -15,6 +15,9 @@
 
 #include "ClosedRoom.h"
 
+namespace Probes_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Material;
 using osgEnvLight::Settings;
@@ -302,3 +305,5 @@ TEST(Probes, ThePlanSaysWhyNot)
     renderer.render(lit);
     EXPECT_EQ("without the atlas nobody knows how much of the map a surface sees", lit->plan().reason("links"));
 }
+
+}  // namespace Probes_test

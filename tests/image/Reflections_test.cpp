@@ -13,6 +13,9 @@
 
 #include "TracedView.h"
 
+namespace Reflections_test
+{
+
 using osgEnvLight::Layer;
 using osgEnvLight::LitScene;
 using osgEnvLight::Mask;
@@ -175,3 +178,5 @@ TEST(Reflections, AreNotTracedWhereNothingIsGlossy)
         EXPECT_EQ("no glossy surface in view", lit->plan().reason(pass)) << pass;
     }
 }
+
+}  // namespace Reflections_test

@@ -9,6 +9,9 @@
 
 #include "MetalBalls.h"
 
+namespace RoughDiffuse_test
+{
+
 using osgEnvLight::Layer;
 using osgEnvLight::LitScene;
 using osgEnvLight::Material;
@@ -72,3 +75,5 @@ TEST(RoughDiffuse, IsCompiledWhereItIsInView)
         EXPECT_FALSE(lit->plan().runs("specular"));
     }
 }
+
+}  // namespace RoughDiffuse_test

@@ -11,6 +11,9 @@
 
 #include "TracedView.h"
 
+namespace Stability_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
 
@@ -324,3 +327,5 @@ TEST(Stability, ShadowsGoOverToAnotherMapWithoutLight)
     EXPECT_LT(std::max(before, after), 0.5);
     EXPECT_LT(most, std::max(before, after) + 0.02);
 }
+
+}  // namespace Stability_test

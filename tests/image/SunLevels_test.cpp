@@ -8,6 +8,9 @@
 
 #include <gtest/gtest.h>
 
+namespace SunLevels_test
+{
+
 using namespace sunscenes;
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
@@ -202,3 +205,5 @@ TEST(SunLevels, AStillViewBeginsWithTheirShadows)
     // A 32nd of it is the average already.
     EXPECT_LT(rootMeanSquare(normal, still), 0.01 * ofGeometry(normal).most);
 }
+
+}  // namespace SunLevels_test

@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+namespace SunShadows_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
 
@@ -246,3 +249,5 @@ TEST(SunShadows, OnlyWhereTheyAreAskedFor)
     renderer.render(lit);
     EXPECT_NE(lit->plan().explain().find("sunmap: off, the map has none"), std::string::npos) << lit->plan().explain();
 }
+
+}  // namespace SunShadows_test

@@ -8,6 +8,9 @@
 
 #include "Brdfs.h"
 
+namespace Suns_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Material;
 using osgEnvLight::Settings;
@@ -105,3 +108,5 @@ TEST(Suns, NoneWithoutASun)
     EXPECT_EQ(lit->plan().suns, 0u);
     EXPECT_NE(lit->plan().explain().find("suns: off, the map has none"), std::string::npos) << lit->plan().explain();
 }
+
+}  // namespace Suns_test

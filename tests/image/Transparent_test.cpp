@@ -6,6 +6,9 @@
 
 #include <osg/Material>
 
+namespace Transparent_test
+{
+
 using namespace atlasscenes;
 
 namespace
@@ -106,3 +109,5 @@ TEST(Transparent, AloneInViewTheyStillAskTheMaps)
     EXPECT_LT(shaded, 0.3 * open);
     EXPECT_GT(shaded, 0.0);
 }
+
+}  // namespace Transparent_test

@@ -5,6 +5,9 @@
 
 #include "Maths.h"
 
+namespace AlbedoTable_test
+{
+
 using namespace testmaths;
 using glsl::vec2;
 using glsl::vec3;
@@ -115,3 +118,5 @@ TEST(AlbedoTable, BoundedEverywhere)
             EXPECT_GT(e.x + e.y, 0.3) << x << " " << y;
         }
 }
+
+}  // namespace AlbedoTable_test

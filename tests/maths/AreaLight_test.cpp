@@ -14,6 +14,9 @@
 
 #include <thread>
 
+namespace AreaLight_test
+{
+
 using osgEnvLight::AreaLight;
 using osgEnvLight::AreaLightPlace;
 using osgEnvLight::Emitter;
@@ -227,3 +230,5 @@ TEST(AreaLight, ViewsMayCullItAtTheSameTime)
         });
     for (std::thread& t : threads) t.join();
 }
+
+}  // namespace AreaLight_test

@@ -9,6 +9,9 @@
 
 #include "Maps.h"
 
+namespace BuiltinMaps_test
+{
+
 using namespace testmaths;
 using glsl::vec3;
 using osgEnvLight::builtinMapNames;
@@ -162,3 +165,5 @@ TEST(BuiltinMaps, StudioIsADarkRoomWithFiveSoftBoxes)
     EXPECT_GT(map->maximum, 8.0);
     EXPECT_LT(map->maximum, 20.0);
 }
+
+}  // namespace BuiltinMaps_test

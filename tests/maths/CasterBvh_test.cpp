@@ -8,6 +8,9 @@
 #include <limits>
 #include <random>
 
+namespace CasterBvh_test
+{
+
 using osgEnvLight::CasterBvh;
 using osgEnvLight::TracedScene;
 
@@ -145,3 +148,5 @@ TEST(CasterBvh, GivesUpWhenItIsNoLongerWanted)
     const std::atomic<bool> stop{true};
     EXPECT_EQ(0u, CasterBvh(makeSoup(1000, 0.1f), &stop).nodes());
 }
+
+}  // namespace CasterBvh_test

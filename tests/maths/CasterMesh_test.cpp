@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+namespace CasterMesh_test
+{
+
 using namespace osgEnvLight;
 
 namespace
@@ -37,3 +40,5 @@ TEST(CasterMesh, CoarseTrianglesFaceAsTheFineOnesDid)
     }
     EXPECT_TRUE(tracedScene({{std::make_shared<CasterMesh>(mesh), {}}}).surfaces[0].closed);
 }
+
+}  // namespace CasterMesh_test

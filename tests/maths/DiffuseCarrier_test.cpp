@@ -12,6 +12,9 @@
 #include "LightJudge.h"
 #include "StudyMaps.h"
 
+namespace DiffuseCarrier_test
+{
+
 using namespace testmaths;
 using glsl::vec3;
 using osgEnvLight::chooseCarrier;
@@ -239,3 +242,5 @@ TEST(DiffuseCarrier, OvercastTakesNineHarmonics)
     EXPECT_TRUE(lists.asked.empty());
     EXPECT_NE(c.describe().find("9 spherical harmonics"), std::string::npos);
 }
+
+}  // namespace DiffuseCarrier_test

@@ -8,6 +8,9 @@
 
 #include "StudyMaps.h"
 
+namespace DominantLight_test
+{
+
 using namespace testmaths;
 using glsl::vec3;
 using osgEnvLight::DominantLight;
@@ -229,3 +232,5 @@ TEST(DominantLight, StaysUntilItIsWeaker)
     EXPECT_EQ(splitSuns(*withShare(0.018), 8, strong.suns).suns.size(), 1u);
     EXPECT_TRUE(splitSuns(*withShare(0.014), 8, strong.suns).suns.empty());
 }
+
+}  // namespace DominantLight_test

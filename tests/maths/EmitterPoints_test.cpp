@@ -6,6 +6,9 @@
 
 #include <cmath>
 
+namespace EmitterPoints_test
+{
+
 using osgEnvLight::AreaLight;
 using osgEnvLight::Emitter;
 using osgEnvLight::EmitterPoint;
@@ -161,3 +164,5 @@ TEST(EmitterPoints, OfNothingAreDark)
     EXPECT_EQ(16u, emitterPoints({}, 16).size());
     EXPECT_EQ(0.0, power(emitterPoints({rectangle(osg::Vec3d(), 1, 1, 0)}, 16)));
 }
+
+}  // namespace EmitterPoints_test

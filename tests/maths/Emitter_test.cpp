@@ -11,6 +11,9 @@
 
 #include "Maths.h"
 
+namespace Emitter_test
+{
+
 using osgEnvLight::AreaLight;
 using osgEnvLight::Emitter;
 using osgEnvLight::Outline;
@@ -286,3 +289,5 @@ TEST(Emitter, MovesAsItsMatrixWould)
         EXPECT_NEAR(a.area, b.area, 1e-12);
     }
 }
+
+}  // namespace Emitter_test

@@ -7,6 +7,9 @@
 
 #include "Maps.h"
 
+namespace EnvironmentMap_test
+{
+
 using namespace testmaths;
 using glsl::vec3;
 using osgEnvLight::EnvironmentMap;
@@ -212,3 +215,5 @@ TEST(EnvironmentMap, LoadNamesWhatIsMissing)
         EXPECT_EQ(environment->getMap(), "sky");
     }
 }
+
+}  // namespace EnvironmentMap_test

@@ -8,6 +8,9 @@
 #include <cmath>
 #include <functional>
 
+namespace Exposure_test
+{
+
 using osgEnvLight::EnvironmentMap;
 using osgEnvLight::Radiosity;
 
@@ -68,3 +71,5 @@ TEST(Exposure, AtTheExtremes)
     osg::ref_ptr<EnvironmentMap> tiny = new EnvironmentMap(texel.get());
     EXPECT_TRUE(std::isfinite(osgEnvLight::mapExposure(*tiny->radiance(error)))) << error;
 }
+
+}  // namespace Exposure_test

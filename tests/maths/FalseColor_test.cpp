@@ -10,6 +10,9 @@
 #include "Maths.h"
 #include "Pictures.h"
 
+namespace FalseColor_test
+{
+
 using namespace testmaths;
 using osg::Vec3d;
 using osgEnvLight::automaticExposure;
@@ -124,3 +127,5 @@ TEST(Display, AutomaticExposure)
     EXPECT_EQ(automaticExposure(p, Mask(11, 10, false)), 0.0);
     EXPECT_THROW(automaticExposure(p, Mask(1, 1, true)), std::invalid_argument);
 }
+
+}  // namespace FalseColor_test

@@ -6,6 +6,9 @@
 
 #include "Fit.h"
 
+namespace Fit_test
+{
+
 using tradeoff::Fit;
 using tradeoff::fitPowerLaw;
 
@@ -127,3 +130,5 @@ TEST(Fit, UnitsDoNotMatter)
     EXPECT_NEAR(one.p, other.p, 1e-5);
     EXPECT_NEAR(one.b, other.b * 1e9, 1e-5);
 }
+
+}  // namespace Fit_test

@@ -10,6 +10,9 @@
 #include "Maths.h"
 #include "Pictures.h"
 
+namespace Flip_test
+{
+
 using namespace testmaths;
 using osg::Vec3d;
 using osgEnvLight::flip;
@@ -236,3 +239,5 @@ TEST(Flip, HdrSeesWhatOneExposureDoesNot)
     EXPECT_GT(hdrFlip(a, b).at(23, 8), 0.1);
     EXPECT_EQ(hdrFlip(a, b).at(0, 8), 0.0);
 }
+
+}  // namespace Flip_test

@@ -6,6 +6,9 @@
 
 #include "Maths.h"
 
+namespace IrradianceMap_test
+{
+
 using namespace testmaths;
 using glsl::vec3;
 using osgEnvLight::DirectionalLight;
@@ -120,3 +123,5 @@ TEST(IrradianceMap, Extremes)
     EXPECT_EQ(up.z, 0.0);
     EXPECT_NEAR(Map(huge, 1e-30).at(vec3(0, 0, 1)).x * pi, 1.0, 1e-3);
 }
+
+}  // namespace IrradianceMap_test

@@ -10,6 +10,9 @@
 #include <string>
 #include <vector>
 
+namespace Layers_test
+{
+
 namespace
 {
 
@@ -18,7 +21,8 @@ namespace fs = std::filesystem;
 const fs::path plugin = fs::path(ENVLIGHT_SOURCE_DIR) / "plugin";
 const fs::path publicHeaders = plugin / "include" / "osgEnvLight";
 // From the lowest on.
-const std::vector<std::string> layers = {"base", "gl", "environment", "lights", "surface", "indirect", "shadow", "frame", "passes", "node"};
+const std::vector<std::string> layers = {"base",     "gl",     "environment", "lights", "surface",
+                                         "indirect", "shadow", "frame",       "passes", "node"};
 
 // In private sources a public header counts as of the folder that has its source; those without one, as of the lowest.
 size_t layerOfPublic(const std::string& header)
@@ -96,3 +100,5 @@ TEST(Layers, FilesAreShort)
             EXPECT_LE(lines, 400) << entry.path();
         }
 }
+
+}  // namespace Layers_test

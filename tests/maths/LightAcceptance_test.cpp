@@ -13,6 +13,9 @@
 #include "LightJudge.h"
 #include "StudyMaps.h"
 
+namespace LightAcceptance_test
+{
+
 using namespace testmaths;
 using osgEnvLight::LightList;
 using osgEnvLight::LightSampler;
@@ -260,3 +263,5 @@ TEST_F(LightAcceptance, WeightsOnAnySampler)
         EXPECT_LE(v.mean(), 1.02) << sampler;
     }
 }
+
+}  // namespace LightAcceptance_test

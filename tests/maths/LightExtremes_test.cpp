@@ -12,6 +12,9 @@
 #include "LightJudge.h"
 #include "StudyMaps.h"
 
+namespace LightExtremes_test
+{
+
 using namespace testmaths;
 using glsl::vec3;
 using osgEnvLight::DirectionalLight;
@@ -224,3 +227,5 @@ TEST(LightExtremes, DarkLightsOfTheFloorStayInTheDark)
             }
     }
 }
+
+}  // namespace LightExtremes_test

@@ -13,6 +13,9 @@
 #include "Maths.h"
 #include "Process.h"
 
+namespace LightFile_test
+{
+
 using osgEnvLight::LightFile;
 
 namespace
@@ -246,3 +249,5 @@ TEST(LightFile, FilesOfAnyName)
     EXPECT_FALSE(osgEnvLight::readLightFile(folder.file("folder.json"), again, error));
     EXPECT_EQ(folder.file("folder.json") + ": not a file", error);
 }
+
+}  // namespace LightFile_test

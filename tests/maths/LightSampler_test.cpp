@@ -8,6 +8,9 @@
 
 #include "LightJudge.h"
 
+namespace LightSampler_test
+{
+
 using namespace testmaths;
 using glsl::vec3;
 using osgEnvLight::DirectionalLight;
@@ -284,3 +287,5 @@ TEST(LightSampler, FloorPutsLightsInTheDark)
         EXPECT_NEAR(double(below), 64.0, 16.0) << sampler;
     }
 }
+
+}  // namespace LightSampler_test

@@ -12,6 +12,9 @@
 
 #include "Maps.h"
 
+namespace LightStatistics_test
+{
+
 using namespace testmaths;
 using glsl::vec2;
 using glsl::vec3;
@@ -266,3 +269,5 @@ TEST(LightSampler, AnyCountIsExact)
     // Without weights: their time at a million is Newton's.
     for (const char* sampler : {"split", "inverse-cdf"}) expectCount(sampler, 1000000, SampleOptions::WEIGHTS_OFF);
 }
+
+}  // namespace LightStatistics_test

@@ -9,6 +9,9 @@
 #include "LightJudge.h"
 #include "StudyMaps.h"
 
+namespace LightStream_test
+{
+
 using namespace testmaths;
 using glsl::vec3;
 using osgEnvLight::LightList;
@@ -241,3 +244,5 @@ TEST(LightStream, AtMostOneTeleportAndGroupsAreKept)
         former = list;
     }
 }
+
+}  // namespace LightStream_test

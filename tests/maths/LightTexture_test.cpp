@@ -10,6 +10,9 @@
 #include "LightJudge.h"
 #include "StudyMaps.h"
 
+namespace LightTexture_test
+{
+
 using namespace testmaths;
 using glsl::vec3;
 using osgEnvLight::DirectionalLight;
@@ -202,3 +205,5 @@ TEST(LightTexture, GroupsOnRealMaps)
     EXPECT_LT(std::sqrt(moments.window / random.window), 0.30);
     EXPECT_LT(std::sqrt(moments.free / random.free), 0.30);
 }
+
+}  // namespace LightTexture_test

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
-
-#include <osgEnvLight/LightSampler>
-
 #include <limits>
-
+#include <osgEnvLight/LightSampler>
 #include "Layouts.h"
+
+namespace MapLayout_test
+{
 
 using namespace testmaths;
 using glsl::vec3;
@@ -396,3 +396,5 @@ TEST(MapLayout, OriginAtTheTopIsRespected)
     EXPECT_EQ(found->flux, expected->flux);
     EXPECT_EQ(found->texel(3, 1)[1], expected->texel(3, 1)[1]);
 }
+
+}  // namespace MapLayout_test

@@ -8,6 +8,9 @@
 
 #include "Maps.h"
 
+namespace MapSequence_test
+{
+
 using glsl::vec3;
 using osgEnvLight::DirectionalLight;
 using osgEnvLight::MapSequence;
@@ -85,3 +88,5 @@ TEST(MapSequence, ABlackMapHasOnlyDarkLights)
         EXPECT_NEAR(1.0, light.direction.length(), 1e-12);
     }
 }
+
+}  // namespace MapSequence_test

@@ -8,6 +8,9 @@
 
 #include "Pictures.h"
 
+namespace Mask_test
+{
+
 using namespace testmaths;
 using osg::Vec3d;
 using osgEnvLight::Mask;
@@ -137,3 +140,5 @@ TEST(Mask, TinyPictures)
     }
     EXPECT_EQ(withoutEdges(Mask(), Picture(), Picture()).pixels(), 0u);
 }
+
+}  // namespace Mask_test

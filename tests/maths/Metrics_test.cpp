@@ -14,6 +14,9 @@
 #include "Pictures.h"
 #include "Process.h"
 
+namespace Metrics_test
+{
+
 using namespace testmaths;
 using osg::Vec3d;
 using osgEnvLight::compare;
@@ -296,3 +299,5 @@ TEST(Metrics, SecondImplementation)
     EXPECT_NEAR(numberOf(shifted, "Mean error"), sum, 5e-6 * sum) << shifted;
     EXPECT_NEAR(numberOf(shifted, "Max error "), g.worst, 5e-6) << shifted;
 }
+
+}  // namespace Metrics_test

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <random>
 
+namespace NearCascade_test
+{
+
 using osgEnvLight::NearCascade;
 using osgEnvLight::ProbedPoints;
 
@@ -111,3 +114,5 @@ TEST(NearCascade, PointsThatAreNoneOrOne)
         EXPECT_FALSE(n.sphere().valid()) << far;
     }
 }
+
+}  // namespace NearCascade_test

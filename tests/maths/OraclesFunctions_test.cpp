@@ -7,6 +7,9 @@
 #include "Maths.h"
 #include "Oracles.h"
 
+namespace OraclesFunctions_test
+{
+
 using namespace testmaths;
 using namespace testmaths::oracle;
 using glsl::vec3;
@@ -176,3 +179,5 @@ TEST(OraclesFunctions, CubeTexels)
     // Centre to corner 3^(3/2), but for 1 / size
     EXPECT_NEAR(cubeTexelSolidAngle(256, 256, 512) / cubeTexelSolidAngle(0, 0, 512), std::pow(3.0, 1.5), 5.2 * 3.0 / 512.0);
 }
+
+}  // namespace OraclesFunctions_test

@@ -7,6 +7,9 @@
 #include "Maths.h"
 #include "Oracles.h"
 
+namespace OraclesTransport_test
+{
+
 using namespace testmaths;
 using namespace testmaths::oracle;
 
@@ -222,3 +225,5 @@ TEST(OraclesTransport, StochasticCulling)
     }
     EXPECT_NEAR(stochasticCulling(0.35, delta), delta * delta / 4.0, 1e-16);
 }
+
+}  // namespace OraclesTransport_test

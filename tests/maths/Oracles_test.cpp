@@ -5,6 +5,9 @@
 #include "Maths.h"
 #include "Oracles.h"
 
+namespace Oracles_test
+{
+
 using namespace testmaths;
 using namespace testmaths::oracle;
 using glsl::vec3;
@@ -212,3 +215,5 @@ TEST(Oracles, InfinitePlaneEmitterAtTheCorner)
     // A tilted horizon is such a plane, and the sky the rest.
     for (double t : {0.0, 0.4, 1.3, 2.5, pi}) EXPECT_NEAR(halfPlaneAtEdge(t) + halfSky(t), 1.0, 1e-15);
 }
+
+}  // namespace Oracles_test

@@ -5,6 +5,9 @@
 
 #include "Pareto.h"
 
+namespace Pareto_test
+{
+
 using namespace tradeoff;
 
 namespace
@@ -143,3 +146,5 @@ TEST(Pareto, DefaultIsTheFirstWithoutSettings)
     points[1].failed = true;
     EXPECT_EQ(Choice(2), defaultOf(points));
 }
+
+}  // namespace Pareto_test

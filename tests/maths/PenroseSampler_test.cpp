@@ -10,6 +10,9 @@
 #include "PenroseRelaxation.h"
 #include "StudyMaps.h"
 
+namespace PenroseSampler_test
+{
+
 using namespace testmaths;
 using glsl::vec3;
 using osgEnvLight::choosePenrosePoints;
@@ -228,3 +231,5 @@ TEST(PenroseSampler, EqualSharesAreEqual)
     for (const auto& l : lights)
         EXPECT_NEAR(l.flux * osg::Vec3d(1, 1, 1), map->flux * osg::Vec3d(1, 1, 1) / 200.0, 1e-6 * map->flux[0]);
 }
+
+}  // namespace PenroseSampler_test

@@ -8,6 +8,9 @@
 #include "Plot.h"
 #include "Text.h"
 
+namespace Plot_test
+{
+
 using namespace tradeoff;
 
 namespace
@@ -164,3 +167,5 @@ TEST(Plot, TheLocaleChangesNothing)
     EXPECT_EQ("1500.50", coordinate(1500.5));
     std::locale::global(former);
 }
+
+}  // namespace Plot_test

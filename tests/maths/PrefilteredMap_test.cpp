@@ -7,6 +7,9 @@
 #include "Maps.h"
 #include "Maths.h"
 
+namespace PrefilteredMap_test
+{
+
 using namespace testmaths;
 using glsl::vec2;
 using glsl::vec3;
@@ -108,3 +111,5 @@ TEST(PrefilteredMap, RoughLobesLeanToTheNormal)
     }
     EXPECT_NEAR(glsl::dominantDirection(v, 1.0).z, 1.0, 1e-12);
 }
+
+}  // namespace PrefilteredMap_test

@@ -7,6 +7,9 @@
 
 #include <sstream>
 
+namespace Presets_test
+{
+
 using osgEnvLight::Settings;
 
 TEST(Presets, EachSetsWhatItNamesAndLeavesTheRest)
@@ -54,3 +57,5 @@ TEST(Presets, OtherSettingsOfASceneAreOnTopOfItsPreset)
     EXPECT_EQ(s->atlasLights, 96);
     EXPECT_EQ(s->specularMethod, Settings::SPECULAR_PREFILTERED);
 }
+
+}  // namespace Presets_test

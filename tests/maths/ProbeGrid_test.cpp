@@ -11,6 +11,9 @@
 #include <algorithm>
 #include <cmath>
 
+namespace ProbeGrid_test
+{
+
 using namespace osgEnvLight;
 
 namespace
@@ -163,3 +166,5 @@ TEST(ProbeGrid, StopsWhenItIsNoLongerWanted)
     const std::atomic<bool> stop{true};
     EXPECT_EQ(0u, ProbeGrid(room, bvh, points, 8, &stop).probes());
 }
+
+}  // namespace ProbeGrid_test

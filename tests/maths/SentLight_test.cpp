@@ -11,6 +11,9 @@
 #include <cmath>
 #include <limits>
 
+namespace SentLight_test
+{
+
 using namespace osgEnvLight;
 
 namespace
@@ -159,3 +162,5 @@ TEST(StaticCasters, KnowsWhatItsPartsSendOn)
     EXPECT_EQ(2u, still.drawn().size());
     EXPECT_EQ(osg::Vec3f(1, 0, 0), still.drawn()[1].sent.reflectance);
 }
+
+}  // namespace SentLight_test

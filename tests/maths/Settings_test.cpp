@@ -8,6 +8,9 @@
 #include <limits>
 #include <locale>
 
+namespace Settings_test
+{
+
 using osgEnvLight::Settings;
 
 namespace
@@ -191,3 +194,5 @@ TEST(Settings, NamesAreUnique)
     for (const Settings::Property& p : Settings::table()) EXPECT_EQ(Settings::find(p.name), &p);
     EXPECT_EQ(Settings::find("no such"), nullptr);
 }
+
+}  // namespace Settings_test

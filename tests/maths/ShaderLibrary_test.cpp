@@ -11,6 +11,9 @@
 #include <set>
 #include <stdexcept>
 
+namespace ShaderLibrary_test
+{
+
 using osgEnvLight::ShaderLibrary;
 using osgEnvLight::ShaderText;
 namespace fs = std::filesystem;
@@ -221,3 +224,5 @@ TEST(ShaderLibrary, EveryTextImportsTheDefinesItAsksFor)
     }
     EXPECT_GT(asking, 10u);
 }
+
+}  // namespace ShaderLibrary_test

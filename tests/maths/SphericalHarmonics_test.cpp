@@ -6,6 +6,9 @@
 
 #include "Maps.h"
 
+namespace SphericalHarmonics_test
+{
+
 using namespace testmaths;
 using glsl::vec3;
 
@@ -108,3 +111,5 @@ TEST(SphericalHarmonics, IrradianceOfSkies)
         EXPECT_NEAR(e / (2.0 * pi / (k + 2.0)), 1.0, 5e-3) << k;
     }
 }
+
+}  // namespace SphericalHarmonics_test

@@ -9,6 +9,9 @@
 #include "Maths.h"
 #include "Pictures.h"
 
+namespace Ssim_test
+{
+
 using namespace testmaths;
 using osg::Vec3d;
 using osgEnvLight::Mask;
@@ -115,3 +118,5 @@ TEST(Ssim, FallsWithNoise)
     }
     EXPECT_THROW(ssim(r, Picture(48, 47), 0.0), std::invalid_argument);
 }
+
+}  // namespace Ssim_test

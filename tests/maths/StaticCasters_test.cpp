@@ -6,6 +6,9 @@
 
 #include <set>
 
+namespace StaticCasters_test
+{
+
 using osgEnvLight::Caster;
 using osgEnvLight::StaticCasters;
 
@@ -169,3 +172,5 @@ TEST_F(Still, AnotherPlaceMergesAnew)
     EXPECT_NE(former, still.drawn()[0].geometry);
     expect(31, 0);
 }
+
+}  // namespace StaticCasters_test

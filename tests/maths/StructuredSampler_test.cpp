@@ -9,6 +9,9 @@
 #include "LightJudge.h"
 #include "StudyMaps.h"
 
+namespace StructuredSampler_test
+{
+
 using namespace testmaths;
 using glsl::vec3;
 using osgEnvLight::apportion;
@@ -123,3 +126,5 @@ TEST(StructuredSampler, SmallLampsHaveLights)
         EXPECT_GE(flux, 3e4 * texelSolidAngle(y, 256, 128) * (1.0 - 1e-6));
     }
 }
+
+}  // namespace StructuredSampler_test

@@ -10,6 +10,9 @@
 #include <cmath>
 #include <vector>
 
+namespace SurfacePoints_test
+{
+
 using namespace osgEnvLight;
 
 namespace
@@ -111,3 +114,5 @@ TEST(NearestPoint, KeepsSurfacesApart)
     EXPECT_EQ(lamp, points[nearest.find(osg::Vec3f(0, 0, 0.02f), osg::Vec3f(0, 0, 1), lamp)].surface);
     EXPECT_LT(nearest.find(osg::Vec3f(1e6f, -1e6f, 0), osg::Vec3f(0, 0, 1), wall), points.size());
 }
+
+}  // namespace SurfacePoints_test

@@ -13,6 +13,9 @@
 #include <cmath>
 #include <thread>
 
+namespace TransportScene_test
+{
+
 using namespace osgEnvLight;
 
 namespace
@@ -148,3 +151,5 @@ TEST(TransportWorker, ForgetsWhatIsNotWanted)
     EXPECT_FALSE(worker.busy()) << "no memory: it goes without";
     worker.post(job);  // the destructor ends it
 }
+
+}  // namespace TransportScene_test

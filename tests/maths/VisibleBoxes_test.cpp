@@ -7,6 +7,9 @@
 
 #include <random>
 
+namespace VisibleBoxes_test
+{
+
 using osgEnvLight::Caster;
 using osgEnvLight::ShadowView;
 using osgEnvLight::VisibleBoxes;
@@ -90,3 +93,5 @@ TEST(VisibleBoxes, NothingWhereNothingIs)
     many.push_back(box({-51, 0, 0}, {-50, 1, 1}));
     EXPECT_FALSE(VisibleBoxes(many, view).empty());
 }
+
+}  // namespace VisibleBoxes_test

@@ -6,6 +6,9 @@
 
 #include "Maths.h"
 
+namespace anisotropy_test
+{
+
 using namespace testmaths;
 using glsl::Anisotropy;
 using glsl::vec2;
@@ -260,3 +263,5 @@ TEST(anisotropy, AFrameTurnedAboutItsNormal)
         EXPECT_NEAR(glsl::dot(glsl::cross(turned[0], turned[1]), n), 1.0, 1e-12);
     }
 }
+
+}  // namespace anisotropy_test

@@ -5,6 +5,9 @@
 
 #include <functional>
 
+namespace antialias_test
+{
+
 using namespace testmaths;
 using glsl::ivec2;
 using glsl::vec4;
@@ -126,3 +129,5 @@ TEST(antialias, MixesNeighboursOnly)
             }
     }
 }
+
+}  // namespace antialias_test

@@ -8,6 +8,9 @@
 
 #include "glsl.h"
 
+namespace atlas_test
+{
+
 namespace
 {
 
@@ -149,3 +152,5 @@ TEST(atlas, NothingIsSeenFromUnderASurfaceThatGoesOnInTheNextTexel)
     put(1, 0.5);
     EXPECT_EQ(1.0, sees(0.9, 0.5 + 0.4 * slope - 1.5 * slack));
 }
+
+}  // namespace atlas_test

@@ -4,6 +4,9 @@
 
 #include "Maths.h"
 
+namespace beckmann_test
+{
+
 using namespace testmaths;
 using glsl::vec3;
 
@@ -114,3 +117,5 @@ TEST(blinn, IsThePowerOfTheCosine)
     // n = 0 spreads normals evenly, as GGX of alpha 1 does.
     EXPECT_NEAR(glsl::blinnD(at(0.3), 0.0), glsl::ggxD(at(0.3), 1.0), 1e-15);
 }
+
+}  // namespace beckmann_test

@@ -3,6 +3,9 @@
 
 #include "Maths.h"
 
+namespace bilateral_test
+{
+
 using namespace testmaths;
 
 TEST(bilateral, EveryGroupOfTheCellWeighsTheSame)
@@ -55,3 +58,5 @@ TEST(bilateral, LobesOfTurnedNormalsCountByTheirWidth)
     EXPECT_NEAR(glsl::alikeWeight(0.1), std::exp(-1.0), 1e-12);
     EXPECT_EQ(glsl::alikeWeight(0.1), glsl::alikeWeight(-0.1));
 }
+
+}  // namespace bilateral_test

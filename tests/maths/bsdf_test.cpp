@@ -4,6 +4,9 @@
 
 #include "Maths.h"
 
+namespace bsdf_test
+{
+
 using namespace testmaths;
 using glsl::Bsdf;
 using glsl::vec2;
@@ -121,3 +124,5 @@ TEST(bsdf, LobesAreReciprocal)
         }
     }
 }
+
+}  // namespace bsdf_test

@@ -7,6 +7,9 @@
 
 #include "Maths.h"
 
+namespace bulge_test
+{
+
 using namespace testmaths;
 using glsl::vec3;
 
@@ -77,3 +80,5 @@ TEST(bulge, IsNothingOnPlanesHollowsAndEdges)
     const vec3 outward = glsl::normalize(vec3(0.3, 0, 1));
     EXPECT_TRUE(std::isfinite(glsl::bulgeAbove(up, corner - vec3(1e-12, 0, 0), outward, corner, outward)));
 }
+
+}  // namespace bulge_test

@@ -3,6 +3,9 @@
 
 #include "Maths.h"
 
+namespace coat_test
+{
+
 using namespace testmaths;
 using glsl::Bsdf;
 using glsl::Coat;
@@ -71,3 +74,5 @@ TEST(coat, LosesNothingOverAWhiteSurface)
                 EXPECT_NEAR(below.reflected.x / base.reflected.x, below.energy.x / base.energy.x, 1e-12);
             }
 }
+
+}  // namespace coat_test

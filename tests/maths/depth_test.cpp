@@ -4,6 +4,9 @@
 #include "Maths.h"
 #include "Projections.h"
 
+namespace depth_test
+{
+
 using namespace testmaths;
 using glsl::mat4;
 using glsl::vec2;
@@ -97,3 +100,5 @@ TEST(depth, SlopeIsThatOfTheSideThatGoesOnEvenly)
         EXPECT_GT(glsl::depthSlope(0.1, 0.1 + rise, d, 0.1 + 3 * rise, 0.1 + 4 * rise).y, 0.3);
     }
 }
+
+}  // namespace depth_test

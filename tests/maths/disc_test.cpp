@@ -5,6 +5,9 @@
 #include "Oracles.h"
 #include "SinglePrecision.h"
 
+namespace disc_test
+{
+
 using namespace testmaths;
 using glsl::vec3;
 
@@ -214,3 +217,5 @@ TEST(disc, SphereAgainstItsClosedForm)
     EXPECT_EQ(glsl::sphereFormFactor(vec3(0, 0, 1), 1.0), 1.0);
     EXPECT_EQ(glsl::sphereFormFactor(vec3(0.0), 1.0), 1.0);
 }
+
+}  // namespace disc_test

@@ -6,6 +6,9 @@
 
 #include "glsl.h"
 
+namespace emittermap_test
+{
+
 namespace
 {
 
@@ -118,3 +121,5 @@ TEST(emittermap, ASheetIsSeenAndHidesWhatLiesBehindIt)
         EXPECT_EQ(0, leaks) << tilt;
     }
 }
+
+}  // namespace emittermap_test

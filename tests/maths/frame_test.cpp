@@ -3,6 +3,9 @@
 
 #include "Maths.h"
 
+namespace frame_test
+{
+
 using namespace testmaths;
 using glsl::vec3;
 
@@ -41,3 +44,5 @@ TEST(frame, CloseToTheSouthPole)
     // The sign makes 1 / (s + n.z) at most 1 in size: Frisvad's frame fails here.
     for (double x : {1e-4, 1e-8, 1e-12}) expectFrame(vec3(x, 0, -std::sqrt(1.0 - x * x)));
 }
+
+}  // namespace frame_test

@@ -5,6 +5,9 @@
 
 #include "Maths.h"
 
+namespace fresnel_test
+{
+
 using namespace testmaths;
 using glsl::vec3;
 
@@ -135,3 +138,5 @@ TEST(fresnel, EdgesComeBackFromThirteenBits)
     EXPECT_EQ(vec3(1.0), glsl::unpackEdge(glsl::packEdge(vec3(7.0))));
     EXPECT_EQ(0.0, glsl::edgeLoss(vec3(0.5), vec3(1.0)).x);
 }
+
+}  // namespace fresnel_test

@@ -3,6 +3,9 @@
 
 #include "Maths.h"
 
+namespace ggx_test
+{
+
 using namespace testmaths;
 using glsl::vec2;
 using glsl::vec3;
@@ -224,3 +227,5 @@ TEST(ggx, WeightIsBrdfTimesCosineOverPdf)
         EXPECT_NEAR(w / glsl::ggxG2OverG1(v.z, l.z, alpha), 1.0, 1e-8);
     }
 }
+
+}  // namespace ggx_test

@@ -3,6 +3,9 @@
 
 #include "Maths.h"
 
+namespace latlong_test
+{
+
 using namespace testmaths;
 using glsl::vec2;
 using glsl::vec3;
@@ -88,3 +91,5 @@ TEST(latlong, SolidAngleOfATexel)
     const double s = std::sin(0.5 * pi / 8192.0);
     EXPECT_NEAR(glsl::latlongTexelSolidAngle(0, vec2(16384, 8192)) / (2.0 * pi / 16384.0 * 2.0 * s * s), 1.0, rounding);
 }
+
+}  // namespace latlong_test

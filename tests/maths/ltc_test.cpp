@@ -7,6 +7,9 @@
 #include "LtcFit.h"
 #include "SinglePrecision.h"
 
+namespace ltc_test
+{
+
 using namespace testmaths;
 using glsl::Ltc;
 using glsl::vec3;
@@ -336,3 +339,5 @@ TEST(ltc, DensityIsTheShareOfSmallLights)
         EXPECT_NEAR(share, glsl::ltcDensity(lobe, l) * 4.0 * size * size, 2e-3 * share);
     }
 }
+
+}  // namespace ltc_test

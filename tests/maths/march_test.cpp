@@ -6,6 +6,9 @@
 #include "PlaneView.h"
 #include "Projections.h"
 
+namespace march_test
+{
+
 using namespace testmaths;
 using glsl::mat4;
 using glsl::vec2;
@@ -126,3 +129,5 @@ TEST(march, MeetsAWallBeyondWhatItPassesBehind)
     const vec4 clip = perspective * vec4(end, 1.0);
     EXPECT_NEAR(hit.pixel.x + 0.5, (0.5 * clip.x / clip.w + 0.5) * width, 1.0);
 }
+
+}  // namespace march_test

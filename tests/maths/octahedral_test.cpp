@@ -6,6 +6,9 @@
 #include "Maths.h"
 #include "Maps.h"
 
+namespace octahedral_test
+{
+
 using namespace testmaths;
 using glsl::vec2;
 using glsl::vec3;
@@ -192,3 +195,5 @@ TEST(octahedral, EveryLevelKeepsTheFlux)
                     lod < 3 ? 2e-3 : 1e-2)
             << lod;
 }
+
+}  // namespace octahedral_test

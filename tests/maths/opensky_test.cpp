@@ -4,6 +4,9 @@
 
 #include "glsl.h"
 
+namespace opensky_test
+{
+
 namespace
 {
 
@@ -78,3 +81,5 @@ TEST(opensky, HorizonsFillWhatIsBelowThem)
     s.tilt = -0.5 * glsl::PI;
     EXPECT_EQ(filled(0x00000100u), 0x000001ffu);
 }
+
+}  // namespace opensky_test

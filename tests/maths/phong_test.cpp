@@ -3,6 +3,9 @@
 
 #include "Maths.h"
 
+namespace phong_test
+{
+
 using namespace testmaths;
 using glsl::vec2;
 using glsl::vec3;
@@ -149,3 +152,5 @@ TEST(phong, RoughnessAndExponentAreInverse)
     EXPECT_EQ(glsl::phongExponent(1.0), 0.0);
     for (double n : {1e-3, 1.0, 20.0, 1e3, 1e6}) EXPECT_NEAR(glsl::phongExponent(glsl::phongRoughness(n)) / n, 1.0, 1e-11);
 }
+
+}  // namespace phong_test

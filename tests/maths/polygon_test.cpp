@@ -7,6 +7,9 @@
 #include "Oracles.h"
 #include "SinglePrecision.h"
 
+namespace polygon_test
+{
+
 using namespace testmaths;
 using glsl::vec3;
 
@@ -286,3 +289,5 @@ TEST(polygon, StarAcrossTheHorizon)
         EXPECT_NEAR(single::polygonFormFactor(glm::vec3(center), 0.2f, single), polygon(center, star), 1e-6);
     }
 }
+
+}  // namespace polygon_test

@@ -5,6 +5,9 @@
 
 #include <random>
 
+namespace roughdiffuse_test
+{
+
 using namespace testmaths;
 using glsl::RoughDiffuse;
 using glsl::vec3;
@@ -140,3 +143,5 @@ TEST(roughdiffuse, ComesBackFromItsBits)
     EXPECT_EQ(glsl::packDiffuseRoughness(1.0), glsl::packDiffuseRoughness(7.0));
     EXPECT_EQ(0u, glsl::packDiffuseRoughness(-1.0));
 }
+
+}  // namespace roughdiffuse_test

@@ -3,6 +3,9 @@
 
 #include "Maths.h"
 
+namespace scenelight_test
+{
+
 using namespace testmaths;
 using glsl::vec3;
 
@@ -67,3 +70,5 @@ TEST(scenelight, NothingComesFromBelowAndASmoothLobeIsBounded)
         EXPECT_LT(glsl::lightLobe(phongOf(r), up, up).x, 1200.0);
     }
 }
+
+}  // namespace scenelight_test

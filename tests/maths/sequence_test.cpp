@@ -7,6 +7,9 @@
 
 #include "Maths.h"
 
+namespace sequence_test
+{
+
 using namespace testmaths;
 using glsl::vec2;
 
@@ -96,3 +99,5 @@ TEST(sequence, BayerMatrix)
     for (int y = 0; y < 12; ++y)
         for (int x = 0; x < 12; ++x) EXPECT_EQ(glsl::bayer4(x, y), matrix[y % 4][x % 4]);
 }
+
+}  // namespace sequence_test

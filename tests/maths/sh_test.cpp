@@ -3,6 +3,9 @@
 
 #include "Maths.h"
 
+namespace sh_test
+{
+
 using namespace testmaths;
 using glsl::vec3;
 
@@ -90,3 +93,5 @@ TEST(sh, CosineLobeWithinItsTruncation)
         EXPECT_NEAR(e, std::max(z, 0.0), std::abs(z) < 0.5 ? 0.05859375 + 1e-13 : 0.03125 + 1e-13) << z;
     }
 }
+
+}  // namespace sh_test

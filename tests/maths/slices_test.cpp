@@ -8,6 +8,9 @@
 #include "PlaneView.h"
 #include "Projections.h"
 
+namespace slices_test
+{
+
 using namespace testmaths;
 using glsl::mat4;
 using glsl::uint;
@@ -302,3 +305,5 @@ TEST(slices, AThinWallLetsLightPassBehind)
     const Wall wall(frustum(-t, t, -t, t, 1.0, 40.0), 0.2);
     for (double a : {0.1, 0.5, 1.0}) EXPECT_NEAR(wall.ratio(a, {4.0, 0.2, 2, 8}), 1.0, 0.08) << a;
 }
+
+}  // namespace slices_test

@@ -3,6 +3,9 @@
 
 #include "Maths.h"
 
+namespace strauss_test
+{
+
 using namespace testmaths;
 using glsl::vec2;
 using glsl::vec3;
@@ -75,3 +78,5 @@ TEST(strauss, NeverReflectsMoreThanItGets)
                 EXPECT_GE(sum.x, 0.0);
             }
 }
+
+}  // namespace strauss_test

@@ -4,6 +4,9 @@
 
 #include "Maths.h"
 
+namespace sun_test
+{
+
 using namespace testmaths;
 using glsl::vec3;
 
@@ -176,3 +179,5 @@ TEST(sun, GrazedDiscsSendNoMoreThanTheyGet)
                         EXPECT_LT(got, 4.0 * exact + 1e-3) << radius << " " << alpha << " " << sz << " " << vz << " " << turn;
                     }
 }
+
+}  // namespace sun_test

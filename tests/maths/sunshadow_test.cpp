@@ -7,6 +7,9 @@
 
 #include "glsl.h"
 
+namespace sunshadow_test
+{
+
 namespace
 {
 
@@ -131,3 +134,5 @@ TEST(sunshadow, BeyondAMapTheWholeScenesServes)
     EXPECT_EQ(glsl::vec4(4.0, 2.0, 5.0, 3.0), glsl::sunSurface(maps, m, glsl::vec2(4.3, 2.9)));  // texel (3, 2) of the whole
     EXPECT_LT(glsl::sunSurface(maps, m, glsl::vec2(6.1, 2.9)).x, 0.0);                           // beyond both
 }
+
+}  // namespace sunshadow_test

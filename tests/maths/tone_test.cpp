@@ -3,6 +3,9 @@
 
 #include "Maths.h"
 
+namespace tone_test
+{
+
 using namespace testmaths;
 using glsl::vec3;
 
@@ -80,3 +83,5 @@ TEST(tone, SrgbRoundTrip)
     const vec3 back = glsl::srgbDecode3(glsl::srgbEncode3(c));
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(back[i], c[i], 1e-14);
 }
+
+}  // namespace tone_test

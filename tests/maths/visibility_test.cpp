@@ -6,6 +6,9 @@
 #include "PlaneView.h"
 #include "Projections.h"
 
+namespace visibility_test
+{
+
 using namespace testmaths;
 using glsl::mat4;
 using glsl::vec2;
@@ -117,3 +120,5 @@ TEST(visibility, NothingBlocksAgainstTheBackground)
     m = glsl::rayMarchFrom(m, vec3(0, 0, -10), vec3(0, 0, 1), 1e-3);
     for (const vec3& l : spiral(500)) EXPECT_EQ(glsl::rayBlocked({texels.data(), 4, 4}, m, l, 0.5), 0.0);
 }
+
+}  // namespace visibility_test

@@ -8,6 +8,9 @@
 
 #include <cmath>
 
+namespace Antialias_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
 
@@ -122,3 +125,5 @@ TEST(Antialias, AStillViewConvergesToWhatItDoesWithout)
     };
     EXPECT_LT(rmse(converged(Settings::ANTIALIAS_EDGES), converged(Settings::ANTIALIAS_OFF)), 0.002);
 }
+
+}  // namespace Antialias_test

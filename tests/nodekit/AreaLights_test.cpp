@@ -16,6 +16,9 @@
 #include <cmath>
 #include <sstream>
 
+namespace AreaLights_test
+{
+
 using osgEnvLight::AreaLight;
 using osgEnvLight::LitScene;
 using osgEnvLight::Material;
@@ -318,3 +321,5 @@ TEST_F(AreaLights, AreWrittenAndReadAgain)
         EXPECT_EQ(before.rgba, renderer.render(read, 2).rgba) << extension;
     }
 }
+
+}  // namespace AreaLights_test

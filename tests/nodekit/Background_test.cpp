@@ -8,6 +8,9 @@
 
 #include <gtest/gtest.h>
 
+namespace Background_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
 
@@ -154,3 +157,5 @@ TEST_F(Background, IsAFullScreenPictureInANegativeBin)
     camera->setProjectionMatrixAsOrtho2D(0, 2, 0, 1);
     EXPECT_NE(std::string::npos, (corner(root), compositeReason(*lit)).find("the map behind")) << compositeReason(*lit);
 }
+
+}  // namespace Background_test

@@ -13,6 +13,9 @@
 
 #include <gtest/gtest.h>
 
+namespace Cameras_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
 
@@ -207,3 +210,5 @@ TEST(Cameras, AStillViewThatConvergesKeepsItsOverlay)
         EXPECT_NEAR(pixelOf(*renderer.render(lit, 1), 4, 4)[2], 0.75, 0.5 / 255.0) << "frame " << frame;
     EXPECT_EQ(lit->average().frames, 4u);
 }
+
+}  // namespace Cameras_test

@@ -10,6 +10,9 @@
 
 #include <gtest/gtest.h>
 
+namespace Contexts_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
 
@@ -269,3 +272,5 @@ TEST(EmbeddedContexts, AContextThatIsMadeAnewShowsTheSame)
     EXPECT_EQ(0u, lit->numViews());
     EXPECT_EQ("", firstLine(notify));
 }
+
+}  // namespace Contexts_test

@@ -12,6 +12,9 @@
 #include <array>
 #include <cmath>
 
+namespace Depth_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
 
@@ -201,3 +204,5 @@ TEST(Depth, StereoHasBothEyesInEveryMode)
         EXPECT_GT(alike, 0.75 * size * size) << "mode " << mode;
     }
 }
+
+}  // namespace Depth_test

@@ -30,6 +30,9 @@
 
 #include "FeatureCards.h"
 
+namespace Features_test
+{
+
 TEST_F(Features, BackFacesHaveTheirOwnMaterialUnderTwoSidedLighting)
 {
     const osg::ref_ptr<osg::Geode> model = card();
@@ -168,3 +171,5 @@ TEST_F(Features, AProjectionOfItsOwnIsDrawnAsWithoutUs)
     EXPECT_GT(plain.alpha(16, 16), 0.5f);
     EXPECT_EQ(plain.rgba, renderer.render(furnace(overlay), 2).rgba);
 }
+
+}  // namespace Features_test

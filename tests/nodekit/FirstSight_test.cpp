@@ -12,6 +12,9 @@
 #include <algorithm>
 #include <filesystem>
 
+namespace FirstSight_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Material;
 using osgEnvLight::Settings;
@@ -135,3 +138,5 @@ TEST(FirstSight, ExposureFollowsTheMapAndNotItsIntensityOrThePicture)
     EXPECT_NEAR(shown(1.0, 1.0, -1.0f, Settings::EXPOSURE_MAP), 0.315, small);
     EXPECT_NEAR(shown(0.5, 1.0, 0.0f, Settings::EXPOSURE_NONE), 0.5, small);
 }
+
+}  // namespace FirstSight_test

@@ -11,6 +11,9 @@
 
 #include <gtest/gtest.h>
 
+namespace FrameGraph_test
+{
+
 using osgEnvLight::FrameContext;
 using osgEnvLight::FrameGraph;
 using osgEnvLight::LitScene;
@@ -275,3 +278,5 @@ TEST_F(FrameGraphTest, EveryPassIsInThePlan)
           "forward",    "areamaps", "areashadow", "arearows",    "areafilter",       "arealights"})
         EXPECT_NE("", lit->plan().reason(pass)) << pass;
 }
+
+}  // namespace FrameGraph_test

@@ -15,6 +15,9 @@
 
 #include "SceneRenderer.h"
 
+namespace GivenLights_test
+{
+
 using osgEnvLight::LightList;
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
@@ -146,3 +149,5 @@ TEST(GivenLights, AFaultNamesTheFileAndTheKey)
     EXPECT_FALSE(map->loadLights(folder.file("none.json"), nullptr, error));
     EXPECT_NE(error.find("no such file"), std::string::npos) << error;
 }
+
+}  // namespace GivenLights_test

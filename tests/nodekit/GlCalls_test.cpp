@@ -11,6 +11,9 @@
 
 #include <gtest/gtest.h>
 
+namespace GlCalls_test
+{
+
 namespace
 {
 
@@ -64,3 +67,5 @@ TEST(GlCalls, AFrameAsksNothingOfTheDriver)
     EXPECT_GT(askedStatus, 0);
     ext.glCheckFramebufferStatus = driversStatus;
 }
+
+}  // namespace GlCalls_test

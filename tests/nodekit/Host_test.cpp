@@ -15,6 +15,9 @@
 
 #include <algorithm>
 
+namespace Host_test
+{
+
 using osgEnvLight::LitScene;
 
 namespace
@@ -240,3 +243,5 @@ TEST(Host, ASceneDescriptionsCameraIsTheManipulatorsHomeOnce)
     EXPECT_NEAR(50.0, fovy, 1e-6);
     EXPECT_NEAR(2.0, aspect, 1e-6);
 }
+
+}  // namespace Host_test

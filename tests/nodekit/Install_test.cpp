@@ -6,6 +6,9 @@
 
 #include <filesystem>
 
+namespace Install_test
+{
+
 TEST(Install, AProgramOfItsOwnFindsThePackage)
 {
     const TemporaryFolder folder;
@@ -38,3 +41,5 @@ TEST(Install, AProgramOfItsOwnFindsThePackage)
     EXPECT_TRUE(std::filesystem::exists(prefix + "/bin/envlight-render"));
     EXPECT_EQ(0, runProgram({prefix + "/bin/envlight-lights", "studio", "-o", folder.file("lights.json")}).status);
 }
+
+}  // namespace Install_test

@@ -8,6 +8,9 @@
 
 #include <gtest/gtest.h>
 
+namespace LampSurface_test
+{
+
 using osgEnvLight::AreaLight;
 using osgEnvLight::Settings;
 
@@ -86,3 +89,5 @@ TEST_F(LampSurface, IsAsBrightAsAMapOfItsRadiance)
         for (int k = 0; k < 3; ++k) EXPECT_NEAR(map[k], color[k], 2e-3) << colors;
     }
 }
+
+}  // namespace LampSurface_test

@@ -15,6 +15,9 @@
 
 #include <sstream>
 
+namespace LightShader_test
+{
+
 using osgEnvLight::LightShader;
 using osgEnvLight::LitScene;
 using osgEnvLight::Material;
@@ -148,3 +151,5 @@ TEST_F(LightShaders, AreKnownAgainFromAFile)
     const osg::ref_ptr<osg::Shader> other = new osg::Shader(osg::Shader::FRAGMENT);
     EXPECT_FALSE(LightShader::isOne(*other));
 }
+
+}  // namespace LightShader_test

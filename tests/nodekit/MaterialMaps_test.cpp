@@ -15,6 +15,9 @@
 
 #include "Blended.h"
 
+namespace MaterialMaps_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Material;
 using osgEnvLight::Settings;
@@ -253,3 +256,5 @@ TEST_F(MaterialMaps, OfACoat)
     EXPECT_NEAR(0.272, middle(geode, Settings::SPECULAR)[1], 0.01);
     expectNear(osg::Vec3d(0, -1, 0), normalOf(geode), "below the coat");
 }
+
+}  // namespace MaterialMaps_test

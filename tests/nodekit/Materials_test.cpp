@@ -18,6 +18,9 @@
 #include "Blended.h"
 #include "glsl.h"
 
+namespace Materials_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Material;
 
@@ -376,3 +379,5 @@ TEST_F(Materials, WithoutACoatItsPassDoesNotRun)
         }
     }
 }
+
+}  // namespace Materials_test

@@ -9,6 +9,9 @@
 
 #include <functional>
 
+namespace Memory_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
 using V = osgViewer::ViewerBase;
@@ -160,3 +163,5 @@ TEST(CasterMemory, TheTextureOfARemovedCasterIsFreed)
     renderer.render(lit, 2);
     EXPECT_FALSE(texture.valid());
 }
+
+}  // namespace Memory_test

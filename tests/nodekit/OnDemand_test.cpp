@@ -11,6 +11,9 @@
 #include <chrono>
 #include <thread>
 
+namespace OnDemand_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
 using V = osgViewer::ViewerBase;
@@ -281,3 +284,5 @@ TEST(OnDemandEmbedded, AnUpdateCallbacksLastFrameIsFollowed)
     EXPECT_EQ(12 + 4, framesUntilQuiet(viewer));
     EXPECT_FALSE(lit->regenerating());
 }
+
+}  // namespace OnDemand_test

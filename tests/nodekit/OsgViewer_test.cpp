@@ -15,6 +15,9 @@
 #include <cmath>
 #include <filesystem>
 
+namespace OsgViewer_test
+{
+
 namespace
 {
 
@@ -203,3 +206,5 @@ TEST_F(OsgViewer, ShowsAPictureInOtherThreadingModelsAndInStereo)
         EXPECT_EQ(std::string::npos, log.find("OpenGL error")) << log;
     }
 }
+
+}  // namespace OsgViewer_test

@@ -20,6 +20,9 @@
 #include <regex>
 #include <set>
 
+namespace PassSettings_test
+{
+
 using osgEnvLight::FrameContext;
 using osgEnvLight::LitScene;
 using osgEnvLight::PassBuilder;
@@ -216,3 +219,5 @@ TEST(PassSettings, AUsersPassAsksForThem)
         EXPECT_EQ(asks ? (std::map<std::string, Names>()) : missing, found.missing);
     }
 }
+
+}  // namespace PassSettings_test

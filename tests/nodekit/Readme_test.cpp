@@ -11,6 +11,9 @@
 
 #include <nlohmann/json.hpp>
 
+namespace Readme_test
+{
+
 namespace
 {
 
@@ -105,3 +108,5 @@ TEST(Readme, QuotedErrorsAreWhatIsMeasured)
             << "run samples/tradeoff/readme";
     }
 }
+
+}  // namespace Readme_test

@@ -11,6 +11,9 @@
 
 #include "SceneRenderer.h"
 
+namespace Regeneration_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
 
@@ -205,3 +208,5 @@ TEST(Regeneration, UpdatesAreAskedForOnlyWhileASequencePlays)
     renderUntilQuiet();
     EXPECT_EQ(lit->getNumChildrenRequiringUpdateTraversal(), 0u);
 }
+
+}  // namespace Regeneration_test

@@ -13,6 +13,9 @@
 #include <algorithm>
 #include <cmath>
 
+namespace SceneLights_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Material;
 using osgEnvLight::Settings;
@@ -297,3 +300,5 @@ TEST_F(SceneLights, AStillViewFollowsThem)
         root->removeChild(light);
     }
 }
+
+}  // namespace SceneLights_test

@@ -18,6 +18,9 @@
 #include <iterator>
 #include <map>
 
+namespace Serializers_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
 
@@ -265,3 +268,5 @@ TEST_P(Serializers, AMapWhoseShapeNeedsItsLayoutIsReadWithIt)
 
 INSTANTIATE_TEST_SUITE_P(Formats, Serializers, testing::Values(".osgt", ".osgb", ".osgx"),
                          [](const auto& format) { return std::string(format.param + 1); });
+
+}  // namespace Serializers_test

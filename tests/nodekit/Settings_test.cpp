@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+namespace Settings_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
 
@@ -34,3 +37,5 @@ TEST(SettingsOfAViewer, TermsSwitchedOffAndOnAgain)
         ASSERT_EQ(0.0, largestDifference(first, renderer.render(lit.get(), 2))) << "round " << i;
     }
 }
+
+}  // namespace Settings_test

@@ -11,6 +11,9 @@
 #include <cstdlib>
 #include <fstream>
 
+namespace Shaders_test
+{
+
 using osgEnvLight::LitScene;
 
 namespace
@@ -111,3 +114,5 @@ TEST(Shaders, AMissingIncludeIsOneMessage)
         << notify.text();
     EXPECT_EQ(1u, occurrences(notify.text(), "osgEnvLight: "));
 }
+
+}  // namespace Shaders_test

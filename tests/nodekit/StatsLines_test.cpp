@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+namespace StatsLines_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
 
@@ -99,3 +102,5 @@ TEST(StatsLines, OutliveTheirHandler)
     renderer.render(lit, 2);
     EXPECT_FALSE(lit->isTimed());
 }
+
+}  // namespace StatsLines_test

@@ -13,6 +13,9 @@
 
 #include <gtest/gtest.h>
 
+namespace Surfaces_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Material;
 using osgEnvLight::Settings;
@@ -314,3 +317,5 @@ TEST_F(Surfaces, NormalsFaceTheEyeAtOutlines)
         EXPECT_NEAR(1.0, centre(renderer, sheet)[1], 0.01) << degrees;
     }
 }
+
+}  // namespace Surfaces_test

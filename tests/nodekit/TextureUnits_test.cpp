@@ -12,6 +12,9 @@
 
 #include "FeatureCards.h"
 
+namespace TextureUnits_test
+{
+
 TEST_F(Features, TextureEnvironments)
 {
     // Material .5, texel .25 with alpha .5, environment colour (1, 0, 0): as the fixed function combines display values.
@@ -176,3 +179,5 @@ TEST_F(Features, PaintedReflectionsAreMetal)
         EXPECT_NEAR(lit(model)[0], 0.5, 0.01) << "a material of ours says more than a painted reflection";
     }
 }
+
+}  // namespace TextureUnits_test

@@ -15,6 +15,9 @@
 
 #include <set>
 
+namespace Transparency_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
 
@@ -266,3 +269,5 @@ TEST(Transparency, TexelsAreReadOnceAndForgottenWithTheirTexture)
     for (int i = 0; i < 2000; ++i) facts->of(*osg::ref_ptr<osg::Texture2D>(new osg::Texture2D(picture)));
     EXPECT_LE(facts->size(), 512u);
 }
+
+}  // namespace Transparency_test

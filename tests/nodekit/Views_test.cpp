@@ -13,6 +13,9 @@
 
 #include <cmath>
 
+namespace Views_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
 
@@ -235,3 +238,5 @@ TEST(Sizes, AViewportOfNothingAndOfOnePixelAndBack)
     renderer.viewer().getCamera()->setViewport(0, 0, 64, 64);
     EXPECT_EQ(before.rgba, renderer.render(lit, 2).rgba);
 }
+
+}  // namespace Views_test

@@ -7,6 +7,9 @@
 #include "TestScenes.h"
 #include "Traced.h"
 
+namespace Batches_test
+{
+
 using namespace osgEnvLight;
 
 namespace
@@ -164,3 +167,5 @@ TEST(Environment, SamplesComeWithTheirDensity)
         EXPECT_NEAR(flux, read->flux[0], 0.01 * read->flux[0]) << spot;
     }
 }
+
+}  // namespace Batches_test

@@ -6,6 +6,9 @@
 
 #include <random>
 
+namespace Directions_test
+{
+
 using namespace osgEnvLight;
 
 namespace
@@ -52,3 +55,5 @@ TEST(Directions, FramesAreOrthonormalAndRightHanded)
         EXPECT_NEAR(glm::determinant(f), 1.0, 1e-14);
     }
 }
+
+}  // namespace Directions_test

@@ -4,6 +4,9 @@
 #include "Maths.h"
 #include "Oracles.h"
 
+namespace EmitterPaths_test
+{
+
 using osgEnvLight::Material;
 using testmaths::pi;
 using testmaths::Random;
@@ -223,3 +226,5 @@ TEST(ReferenceEmitters, IntegrandsAndLightListsHaveThem)
         expectNear(estimateOf(result, Layer::DIFFUSE), 1.0 + lit, nameOf(estimator));
     }
 }
+
+}  // namespace EmitterPaths_test

@@ -6,6 +6,9 @@
 #include "Maths.h"
 #include "Oracles.h"
 
+namespace Emitters_test
+{
+
 using testmaths::pi;
 namespace oracle = testmaths::oracle;
 
@@ -265,3 +268,5 @@ TEST(ReferenceEmitters, InvisibleOnesOnlyLight)
     expectNear(estimateOf(result, Layer::BEAUTY), truth, "hidden");
     expectNear(estimateOf(result, Layer::OCCLUSION), 3.0 * oracle::centredRectangle(2, 1, 2), "hidden");
 }
+
+}  // namespace Emitters_test

@@ -10,6 +10,9 @@
 #include "Oracles.h"
 #include "Traced.h"
 
+namespace Oracles_test
+{
+
 using osgEnvLight::Material;
 using testmaths::pi;
 namespace oracle = testmaths::oracle;
@@ -47,7 +50,8 @@ Traced pointView(osg::Node& scene)
 ReferenceOptions enough(ReferenceOptions::Estimator estimator, double truth = 1.0)
 {
     // Of a hundredth one sample in a hundred brings something: 1.3 %, and half of it by four times the samples.
-    return estimator == ReferenceOptions::MIS ? makeOptions(estimator, 64, 4) : makeOptions(estimator, 32, truth < 0.05 ? 64 : 16);
+    return estimator == ReferenceOptions::MIS ? makeOptions(estimator, 64, 4)
+                                              : makeOptions(estimator, 32, truth < 0.05 ? 64 : 16);
 }
 
 // Irradiance over pi at a receiver that is white.
@@ -214,3 +218,5 @@ TEST(ReferenceOracles, InfiniteWalls)
                       "wall at " + std::to_string(a));
     }
 }
+
+}  // namespace Oracles_test

@@ -8,6 +8,9 @@
 #include "Oracles.h"
 #include "Traced.h"
 
+namespace Radiosity_test
+{
+
 using testmaths::pi;
 namespace oracle = testmaths::oracle;
 
@@ -149,3 +152,5 @@ TEST(ReferenceRadiosity, CavityUnderASky)
         }
     }
 }
+
+}  // namespace Radiosity_test

@@ -11,6 +11,9 @@
 #include <fstream>
 #include <sstream>
 
+namespace ReferenceCache_test
+{
+
 using osgEnvLight::Picture;
 using suite::ContentHash;
 using suite::ReferenceCache;
@@ -158,3 +161,5 @@ TEST(ContentHashTest, TellsEveryIngredientApart)
         EXPECT_NE(content.hash(), before) << "change " << i;
     }
 }
+
+}  // namespace ReferenceCache_test

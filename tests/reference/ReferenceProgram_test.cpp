@@ -15,6 +15,9 @@
 #include "Process.h"
 #include "Traced.h"
 
+namespace ReferenceProgram_test
+{
+
 namespace
 {
 
@@ -288,3 +291,5 @@ TEST_F(ReferenceProgram, PathsInUtf8AndLocalesWithCommas)
              "-o", out});
     EXPECT_EQ(readExr(out).picture.rgba, exr.picture.rgba);
 }
+
+}  // namespace ReferenceProgram_test

@@ -13,6 +13,9 @@
 #include "TestScenes.h"
 #include "Traced.h"
 
+namespace Robustness_test
+{
+
 using testmaths::pi;
 using testmaths::Random;
 
@@ -353,3 +356,5 @@ TEST(ReferenceRobustness, BlackMapAndOneBrightTexel)
     EXPECT_NEAR(e.value, truth, 4.0 * e.error + 1e-4 * truth);
     EXPECT_LT(e.error, 0.002 * truth);
 }
+
+}  // namespace Robustness_test

@@ -25,6 +25,9 @@
 #include "Process.h"
 #include "Traced.h"
 
+namespace SameScene_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Mask;
 using osgEnvLight::Material;
@@ -377,3 +380,5 @@ TEST_F(SameScene, Projections)
     camera.setProjectionMatrix(osg::Matrixd::perspective(40, 1, 1, 100) * osg::Matrixd::scale(-1, 1, 1));
     expectSame(scene, "mirrored projection");
 }
+
+}  // namespace SameScene_test

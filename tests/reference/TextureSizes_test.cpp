@@ -11,6 +11,9 @@
 
 #include "Traced.h"
 
+namespace TextureSizes_test
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Mask;
 using osgEnvLight::Settings;
@@ -102,3 +105,5 @@ INSTANTIATE_TEST_SUITE_P(All, TextureSizes,
                          [](const auto& row) {
                              return std::to_string(row.param.first) + "x" + std::to_string(row.param.second);
                          });
+
+}  // namespace TextureSizes_test

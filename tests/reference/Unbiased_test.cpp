@@ -8,6 +8,9 @@
 #include "TestScenes.h"
 #include "Traced.h"
 
+namespace Unbiased_test
+{
+
 using namespace testmaths;
 
 namespace
@@ -243,3 +246,5 @@ TEST(ReferenceUnbiased, ErrorFallsAsTheRootOfTheSamplesOrFaster)
         }
     }
 }
+
+}  // namespace Unbiased_test
