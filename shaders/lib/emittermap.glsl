@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The shadow map of a point of an area light. It shows a square window at distance 1 along its axis. Heights are the nearest distance that
+// The shadow map of a point of a light. It shows a square window at distance 1 along its axis. Heights are the nearest distance that
 // counts over the distance along the axis, so planes are planes in the map, as in lib/atlas.glsl [area-lights.md 3, "The sun's tracer"].
 // Positions are in texels.
 #ifndef EMITTERMAP_GLSL
@@ -11,7 +11,7 @@
 const float EMITTER_MAP_TANGENT = 2.0;
 // The nearest distance that counts, in shares of the extent of all that casts shadows.
 const float EMITTER_MAP_NEAR = 1e-3;
-// Shadows are told apart from this on, in texels' widths.
+// Shadows are told apart from this on, in texels' widths, if 16 bits tell heights apart so finely.
 const float EMITTER_MAP_STEP = 0.0128;
 
 struct EmitterMap {
@@ -49,6 +49,12 @@ vec2 emitterTexel(float firstDepth, float secondDepth, vec3 slope, float width, 
     return vec2(packedHeight(middle, octaves), packedRise(abs(slope.x) / max(first, 1e-20), slope.z));
 }
 
+// The least share of a height by which two are told apart.
+float emitterMapStep(EmitterMap m)
+{
+    return max(EMITTER_MAP_STEP * emitterTexelWidth(m), m.octaves * (0.6931472 / 65535.0));
+}
+
 // Where a map shows a point at (x, y, z) of its axes: position and height; height 0 for what is beside or behind it.
 vec3 emitterMapPlace(EmitterMap m, vec3 p)
 {
@@ -58,13 +64,13 @@ vec3 emitterMapPlace(EmitterMap m, vec3 p)
     return vec3((0.5 * st + 0.5) * float(m.size), m.nearest / p.z);
 }
 
-// By how much the plane of normal n through p, both along the map's axes, is higher at the texel's centre than at position xy, in shares
-// of the height at p.
-float emitterMapRise(EmitterMap m, vec3 p, vec3 n, vec2 xy)
+// By how much the plane of normal n through p, both along the map's axes, is higher that many texels away from it, in shares of the height
+// at p.
+float emitterMapRise(EmitterMap m, vec3 p, vec3 n, vec2 texels)
 {
     float away = dot(n, p);
     vec2 gradient = vec2(n.x, n.y) * (emitterTexelWidth(m) * p.z);
-    return away < 0.0 ? dot(gradient, floor(xy) + 0.5 - xy) / away : 0.0;
+    return away < 0.0 ? dot(gradient, texels) / away : 0.0;
 }
 
 // 1 if the point at place, whose own plane rises so far to the texel's centre, is seen from the map's point, else 0. As atlasVisible(), in
@@ -77,9 +83,9 @@ float emitterMapSees(sampler2D maps, EmitterMap m, vec3 place, float rise)
     float width = emitterTexelWidth(m);
     float middle = unpackedHeight(texel.x, m.octaves) / place.z;
     vec2 gradient = unpackedRise(texel.y) * middle;
-    if (middle > 1.0 + clamp(rise, 0.0, riseToCorner(length(gradient))) + EMITTER_MAP_STEP * width) return 0.0;
+    if (middle > 1.0 + clamp(rise, 0.0, riseToCorner(length(gradient))) + emitterMapStep(m)) return 0.0;
     // The plane of the texel's surface, as underPlane() has it.
-    float least = 1.0 + 0.1 * width + EMITTER_MAP_STEP * width;
+    float least = 1.0 + 0.1 * width + emitterMapStep(m);
     vec2 offset = xy - vec2(p) - 0.5;
     if (middle + dot(gradient, offset) <= least) return 1.0;
     ivec2 next = abs(offset.x) > abs(offset.y) ? ivec2(offset.x < 0.0 ? -1 : 1, 0) : ivec2(0, offset.y < 0.0 ? -1 : 1);
@@ -88,6 +94,39 @@ float emitterMapSees(sampler2D maps, EmitterMap m, vec3 place, float rise)
     vec4 beside = texelFetch(maps, m.corner + q, 0);
     float besideMiddle = unpackedHeight(beside.x, m.octaves) / place.z;
     return besideMiddle * (1.0 + dot(unpackedRise(beside.y), offset - vec2(next))) <= least ? 1.0 : 0.0;
+}
+
+// The face of a cube about the origin that direction d meets: +x, -x, +y, -y, +z, -z.
+int cubeFace(vec3 d)
+{
+    vec3 a = abs(d);
+    if (a.x >= max(a.y, a.z)) return d.x > 0.0 ? 0 : 1;
+    if (a.y >= a.z) return d.y > 0.0 ? 2 : 3;
+    return d.z > 0.0 ? 4 : 5;
+}
+
+// Weight of a texel beside (-1, 1) and about (0) a point that lies d texels off its centre: a quadratic B-spline.
+float splineWeight(int side, float d)
+{
+    float near = 0.5 + float(side) * d;
+    return side == 0 ? 0.75 - d * d : 0.5 * near * near;
+}
+
+// How much of a light without size a surface gets, of normal n about p and so at place: the texels about it say, and edges of shadows are
+// as wide as these.
+float emitterMapShare(sampler2D maps, EmitterMap m, vec3 p, vec3 n, vec3 place)
+{
+    vec2 centre = floor(vec2(place.x, place.y)) + 0.5;
+    vec2 d = vec2(place.x, place.y) - centre;
+    float most = float(m.size) - 0.5;
+    float sum = 0.0;
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) {
+            vec2 at = clamp(centre + vec2(float(x), float(y)), vec2(0.5), vec2(most));
+            float rise = max(emitterMapRise(m, p, n, at - vec2(place.x, place.y)), -0.9);
+            sum += splineWeight(x, d.x) * splineWeight(y, d.y) * emitterMapSees(maps, m, vec3(at, place.z * (1.0 + rise)), 0.0);
+        }
+    return sum;
 }
 
 #endif

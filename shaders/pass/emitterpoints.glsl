@@ -4,12 +4,11 @@
 #define PASS_EMITTERPOINTS_GLSL
 
 #include "lib/constants.glsl"
-#include "lib/emittermap.glsl"
+#include "pass/pointmap.glsl"
 
 uniform sampler2D emitterMaps;
-uniform sampler2D emitterPointMap; // rows of a point: position and area of its part; normal, the nearest distance of its map; radiance
-                                   // times the part's area, the map's octaves; across, up and along the map with the offsets of these
-                                   // axes; the window's centre, the scale of sums, half the window's width
+uniform sampler2D emitterPointMap; // as pass/pointmap.glsl says, and beside these the area of the point's part; its normal; its radiance
+                                   // times the area; the scale of sums
 
 struct EmitterPoint {
     vec3 position;
@@ -33,13 +32,7 @@ EmitterPoint emitterPoint(int i)
     e.power = power.rgb;
     e.area = place.w;
     e.scale = window.z;
-    e.map.window = window.xy;
-    e.map.tangent = window.w;
-    e.map.nearest = normal.w;
-    e.map.octaves = power.w;
-    int columns = int(ceil(sqrt(float(textureSize(emitterPointMap, 0).x))));  // as EmitterMaps lays them out
-    e.map.size = textureSize(emitterMaps, 0).x / columns;
-    e.map.corner = ivec2(i % columns, i / columns) * e.map.size;
+    e.map = pointMap(emitterMaps, emitterPointMap, i, normal.w, power.w, window);
     e.index = i;
     return e;
 }
@@ -57,15 +50,10 @@ float emitterKernel(EmitterPoint e, vec3 to, vec3 n)
 float emitterSees(EmitterPoint e, vec3 p, vec3 n)
 {
     if (e.map.tangent <= 0.0) return 1.0;
-    mat3x4 axes = mat3x4(texelFetch(emitterPointMap, ivec2(e.index, 3), 0), texelFetch(emitterPointMap, ivec2(e.index, 4), 0),
-                         texelFetch(emitterPointMap, ivec2(e.index, 5), 0));
-    vec3 inMap = vec4(p, 1.0) * axes;
-    vec3 normal = vec4(n, 0.0) * axes;
-    float cosine = abs(dot(normal, inMap)) * inversesqrt(max(dot(inMap, inMap), 1e-30));
-    inMap = atlasLookupPoint(inMap, normal, cosine, emitterTexelWidth(e.map) * inMap.z);
-    vec3 place = emitterMapPlace(e.map, inMap);
-    if (place.z <= 0.0) return 1.0;
-    return emitterMapSees(emitterMaps, e.map, place, emitterMapRise(e.map, inMap, normal, place.xy));
+    PointMapView v = pointMapView(emitterPointMap, e.index, e.map, p, n);
+    if (v.place.z <= 0.0) return 1.0;
+    vec2 xy = v.place.xy;
+    return emitterMapSees(emitterMaps, e.map, v.place, emitterMapRise(e.map, v.position, v.normal, floor(xy) + 0.5 - xy));
 }
 
 #endif

@@ -4,7 +4,7 @@
 // what its four know; of each sun's disc eight points.
 #ifndef FORWARDLIGHT_GLSL
 #define FORWARDLIGHT_GLSL
-#pragma import_defines(HAS_COATS, HAS_ANISOTROPY, HAS_EDGES, HAS_ROUGH_DIFFUSE, HAS_SPECULAR, HAS_SUNS, SUN_DIFFUSE, HAS_ATLAS, HAS_SUN_MAPS, HAS_BOUNCE, HAS_SCENE_LIGHTS, HAS_AREA_LIGHTS)
+#pragma import_defines(HAS_COATS, HAS_ANISOTROPY, HAS_EDGES, HAS_ROUGH_DIFFUSE, HAS_SPECULAR, HAS_SUNS, SUN_DIFFUSE, HAS_ATLAS, HAS_SUN_MAPS, HAS_BOUNCE, HAS_SCENE_LIGHTS, HAS_SCENE_LIGHT_MAPS, HAS_AREA_LIGHTS)
 
 #include "lib/atlas.glsl"
 #include "lib/frame.glsl"
@@ -32,8 +32,15 @@ uniform mat4 sunsFromEye;
 #ifdef HAS_BOUNCE
 #include "pass/meanradiance.glsl"
 #endif
+#if defined(HAS_SCENE_LIGHT_MAPS) || defined(HAS_AREA_LIGHTS)
+#include "pass/pointmap.glsl"
+#endif
 #ifdef HAS_SCENE_LIGHTS
 #include "pass/scenelights.glsl"
+#endif
+#ifdef HAS_SCENE_LIGHT_MAPS
+#include "pass/scenelightmaps.glsl"
+uniform mat4 sceneLightMapsFromEye;
 #endif
 #ifdef HAS_AREA_LIGHTS
 #include "pass/emitterpoints.glsl"
@@ -263,6 +270,9 @@ void addSceneLights(Surface s, Layers layers, inout vec3 glint, inout vec3 diffu
     for (int i = 0; i < sceneLightCount; ++i) {
         vec3 direction;
         vec3 light = sceneLightAt(i, s.position, direction);
+#ifdef HAS_SCENE_LIGHT_MAPS
+        light *= sceneLightSeen(i, vec3(sceneLightMapsFromEye * vec4(s.position, 1.0)), mat3(sceneLightMapsFromEye) * s.normal);
+#endif
         addLight(s, layers, frames, light, direction, glint, diffuse);
     }
 }

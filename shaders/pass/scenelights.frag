@@ -1,10 +1,15 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// What surfaces reflect of the application's lights, without shadows, added to the emission: so everything that reads that has it.
+// What surfaces reflect of the application's lights, added to the emission: so everything that reads that has it.
+#pragma import_defines(HAS_SCENE_LIGHT_MAPS)
 
 #include "pass/gbuffer.glsl"
 #include "pass/pixelbsdf.glsl"
 #include "pass/scenelights.glsl"
+#ifdef HAS_SCENE_LIGHT_MAPS
+#include "pass/scenelightmaps.glsl"
+uniform mat4 atlasFromEye;
+#endif
 
 layout(location = 0) out vec4 added;
 
@@ -28,10 +33,19 @@ void main()
     bool coated = isCoated(p);
     PixelCoat coat = pixelCoat(p);
 #endif
+#ifdef HAS_SCENE_LIGHT_MAPS
+    vec3 normal = mat3(atlasFromEye) * pixelNormal(p);
+    // Off the surface by what its depth may be rounded.
+    vec3 rounded = depthStep(inverseProjection, pixelNdc(p), texelFetch(depthMap, p, 0).r);
+    vec3 place = vec3(atlasFromEye * vec4(eye, 1.0)) + normal * abs(dot(pixelNormal(p), rounded));
+#endif
     for (int i = 0; i < sceneLightCount; ++i) {
         vec3 direction;
         vec3 light = sceneLightAt(i, eye, direction);
         vec3 l = transpose(eyeFromLocal) * direction;
+#ifdef HAS_SCENE_LIGHT_MAPS
+        if (dot(pixelNormal(p), direction) > 0.0) light *= sceneLightSeen(i, place, normal);
+#endif
 #ifdef HAS_ROUGH_DIFFUSE
         vec3 diffuse = pixelDiffuseBrdf(layer, p, pixelNormal(p), direction);
 #else

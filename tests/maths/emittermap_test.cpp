@@ -86,8 +86,8 @@ TEST(emittermap, RiseIsThatOfThePlane)
     const double width = glsl::emitterTexelWidth(m);
     const glsl::vec3 ray(center.x * width - m.tangent, center.y * width - m.tangent, 1.0);
     const double atCenter = m.nearest * glsl::dot(n, ray) / glsl::dot(n, p);
-    EXPECT_NEAR(atCenter / place.z - 1.0, glsl::emitterMapRise(m, p, n, xy), 1e-12);
-    EXPECT_EQ(0.0, glsl::emitterMapRise(m, p, -n, xy));  // it faces away
+    EXPECT_NEAR(atCenter / place.z - 1.0, glsl::emitterMapRise(m, p, n, center - xy), 1e-12);
+    EXPECT_EQ(0.0, glsl::emitterMapRise(m, p, -n, center - xy));  // it faces away
 }
 
 // A floor without a back, level and aslant, does not shade itself anywhere; a point a texel below it does.
@@ -107,7 +107,8 @@ TEST(emittermap, ASheetIsSeenAndHidesWhatLiesBehindIt)
             const auto sees = [&](const glsl::vec3& p) {
                 const glsl::vec3 place = glsl::emitterMapPlace(m, p);
                 if (place.z <= 0.0) return 1.0;
-                return glsl::emitterMapSees(map.sampler, m, place, glsl::emitterMapRise(m, p, n, glsl::vec2(place.x, place.y)));
+                const glsl::vec2 xy(place.x, place.y);
+                return glsl::emitterMapSees(map.sampler, m, place, glsl::emitterMapRise(m, p, n, glsl::floor(xy) + 0.5 - xy));
             };
             const glsl::vec3 on = distance * ray;
             const double texel = glsl::emitterTexelWidth(m) * on.z;
@@ -119,6 +120,52 @@ TEST(emittermap, ASheetIsSeenAndHidesWhatLiesBehindIt)
         ASSERT_GT(count, 1000);
         EXPECT_EQ(0, wrong) << tilt;
         EXPECT_EQ(0, leaks) << tilt;
+    }
+}
+
+TEST(emittermap, SplineWeightsAreAPartition)
+{
+    for (double d = -0.5; d <= 0.5; d += 0.0625) {
+        double sum = 0.0, mean = 0.0;
+        for (int side = -1; side <= 1; ++side) {
+            EXPECT_GE(glsl::splineWeight(side, d), 0.0);
+            sum += glsl::splineWeight(side, d);
+            mean += side * glsl::splineWeight(side, d);
+        }
+        EXPECT_NEAR(1.0, sum, 1e-15);
+        EXPECT_NEAR(d, mean, 1e-15);
+    }
+}
+
+// A sheet before half of the view: its shadow on a plane behind it, level and aslant, goes from none to all within three texels,
+// half-way at its edge. The plane shades itself nowhere.
+TEST(emittermap, AShadowsEdgeIsSmooth)
+{
+    const glsl::EmitterMap m = wideMap(64);
+    for (double tilt : {0.0, 0.5, 1.1}) {
+        const glsl::vec3 n(std::sin(tilt), 0.0, -std::cos(tilt));
+        const double offset = -2.0 * std::cos(tilt);
+        PlaneMap map(m, n, offset);
+        const PlaneMap sheet(m, glsl::vec3(0, 0, -1), -0.5);  // at distance 1/2
+        for (size_t i = 0; i < map.texels.size(); ++i)
+            if (i / 4 % 64 < 32) map.texels[i] = sheet.texels[i];
+        double before = 0.0;
+        for (int i = 0; i < 400; ++i) {
+            const double texels = (i - 200) / 40.0;  // from the edge
+            const glsl::vec3 ray(texels * glsl::emitterTexelWidth(m), 0.3, 1.0);
+            const glsl::vec3 p = ray * (offset / glsl::dot(n, ray));
+            const double share = glsl::emitterMapShare(map.sampler, m, p, n, glsl::emitterMapPlace(m, p));
+            if (texels < -1.5) {
+                EXPECT_EQ(0.0, share) << tilt << " " << texels;
+            }
+            if (texels > 1.5) {
+                EXPECT_NEAR(1.0, share, 1e-12) << tilt << " " << texels;
+            }
+            EXPECT_GE(share, before - 1e-12) << tilt << " " << texels;
+            before = share;
+        }
+        const glsl::vec3 edge = glsl::vec3(0, 0.3, 1.0) * (offset / glsl::dot(n, glsl::vec3(0, 0.3, 1.0)));
+        EXPECT_NEAR(0.5, glsl::emitterMapShare(map.sampler, m, edge, n, glsl::emitterMapPlace(m, edge)), 1e-12) << tilt;
     }
 }
 

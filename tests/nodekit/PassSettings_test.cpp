@@ -9,6 +9,7 @@
 #include <osgEnvLight/AreaLight>
 #include <osgEnvLight/Material>
 
+#include <osg/LightSource>
 #include <osg/Material>
 #include <osg/Program>
 #include <osgUtil/CullVisitor>
@@ -142,6 +143,10 @@ osg::ref_ptr<WatchedScene> makeScene()
     glass->getOrCreateStateSet()->setMode(GL_BLEND, osg::StateAttribute::ON);
     lit->addChild(glass);
     lit->addChild(new osgEnvLight::AreaLight);
+    const osg::ref_ptr<osg::LightSource> lamp = new osg::LightSource;
+    lamp->getLight()->setLightNum(1);
+    lit->addChild(lamp);
+    lit->getOrCreateStateSet()->setMode(GL_LIGHT1, osg::StateAttribute::ON);
     return lit;
 }
 

@@ -49,11 +49,21 @@ osg::ref_ptr<osg::Geode> makeScreen()
     return screen;
 }
 
-std::string lightsReason(const LitScene& lit)
+std::string reasonOf(const LitScene& lit, const char* pass)
 {
     for (const osgEnvLight::PassReport& r : lit.plan().passes)
-        if (r.pass == "scenelights") return (r.runs ? "" : "off, ") + r.reason;
+        if (r.pass == pass) return (r.runs ? "" : "off, ") + r.reason;
     return std::string();
+}
+
+std::string lightsReason(const LitScene& lit)
+{
+    return reasonOf(lit, "scenelights");
+}
+
+std::string mapsReason(const LitScene& lit)
+{
+    return reasonOf(lit, "scenelightmaps");
 }
 
 // Share of light from direction v that the lobe of f0 = 1 reflects, by quadrature.
@@ -116,7 +126,7 @@ TEST_F(SceneLights, ADirectionalLightOnWhiteIsItsColourTimesTheCosine)
             EXPECT_NEAR(p.color(at[0], at[1])[1], decoded(0.5) * -to[1], exact) << place;
             EXPECT_NEAR(p.color(at[0], at[1])[2], decoded(2.0) * -to[1], 5 * exact) << place;
         }
-        EXPECT_EQ("1 light, without shadows", lightsReason(*lit));
+        EXPECT_EQ("1 light", lightsReason(*lit));
         root->removeChild(light);
         lit->removeChild(light);
     }
@@ -160,6 +170,46 @@ TEST_F(SceneLights, ASpotEndsAtItsCutoff)
         EXPECT_NEAR(p.color(x, 32)[0], angle < 25.0 ? std::pow(-to[1], 4.0) : 0.0, exact) << x;  // exponent 3, and the cosine
     }
     EXPECT_GT(inside, 5);
+}
+
+// A ball between light and screen: the shadow is where the ray to the light meets it. Its edge is three texels of the light's map
+// wide, .02 on the screen, and the ball's facets are .0005 deep.
+TEST_F(SceneLights, ABlockedLightIsDark)
+{
+    const osg::Vec3d ball(0.5, -1.0, -0.1), axis(-0.6, 0.8, 0.0), lamp(1.6, -2.4, 0.2), sun(0.8, -0.9, 0.2);
+    const double radius = 0.4, cutoffs[] = {180.0, 40.0, 80.0, 180.0};
+    lit->addChild(makeSphere(ball, radius, 64));
+    for (int kind = 0; kind < 4; ++kind) {  // point, spot, wide spot, directional
+        const bool directional = kind == 3;
+        const osg::ref_ptr<osg::LightSource> light =
+            makeLight(1, directional ? osg::Vec4(osg::Vec3(sun), 0) : osg::Vec4(osg::Vec3(lamp), 1));
+        light->getLight()->setDirection(osg::Vec3(axis));
+        light->getLight()->setSpotCutoff(float(cutoffs[kind]));
+        root->insertChild(0, light);
+        const Picture p = render();
+        int dark = 0, bright = 0;
+        for (int x = 1; x < size; ++x)
+            for (int y = 1; y < size; ++y) {
+                const osg::Vec3d on = pointAt(x, y);
+                osg::Vec3d ofEye = osg::Vec3d(0, -4, 0) - on, to = directional ? sun : lamp - on;
+                ofEye.normalize();
+                to.normalize();
+                const double passes = ((ball - on) ^ to).length();
+                const bool isHidden = ((ball - on) ^ ofEye).length() < 1.2 * radius;
+                const bool isOutside = -(to * axis) < std::cos(osg::DegreesToRadians(cutoffs[kind] - 0.5));
+                if (isHidden || isOutside || std::abs(passes - radius) < 0.03) continue;
+                ++(passes < radius ? dark : bright);
+                EXPECT_NEAR(p.color(x, y)[0], passes < radius ? 0.0 : -to[1], exact) << kind << " " << x << " " << y;
+            }
+        EXPECT_GT(dark, 100) << kind;
+        EXPECT_GT(bright, 1000) << kind;
+        EXPECT_TRUE(lit->plan().runs("scenelightmaps"));
+        lit->getSettings()->sceneLightShadows = false;
+        EXPECT_FALSE(render().rgba == p.rgba);
+        EXPECT_EQ("off, sceneLightShadows is off", mapsReason(*lit));
+        lit->getSettings()->sceneLightShadows = true;
+        root->removeChild(light);
+    }
 }
 
 TEST_F(SceneLights, AMetalsHighlightIsThatOfItsLobe)
@@ -211,6 +261,7 @@ TEST_F(SceneLights, TransparentSurfacesAreLitAlike)
     const osg::ref_ptr<osg::LightSource> light = makeLight(1, osg::Vec4(osg::Vec3(at), 1), osg::Vec4(0.7f, 0.7f, 0.7f, 1));
     light->getLight()->setLinearAttenuation(0.5f);
     root->insertChild(0, light);
+    lit->addChild(makeSphere(osg::Vec3d(-0.3, -1.5, -0.2), 0.2, 32));
     osg::StateSet& s = *lit->getChild(0)->getOrCreateStateSet();
     for (const bool metal : {false, true}) {
         if (metal) Material::setCookTorrance(s, osg::Vec3f(0.9f, 0.6f, 0.3f), 1.0f, 0.5f);

@@ -67,12 +67,14 @@ struct FrameContext {
     unsigned waitingBounces = 0;              // further frames would change what surfaces send each other
     EmitterMaps* emitterMaps = nullptr;       // of the area lights' points; null: nothing hides them
     osg::Texture2D* emitterPoints = nullptr;  // EmitterMaps::pointImage()
-    SunShadows* sunMaps = nullptr;            // null: suns have none
-    unsigned drawnSunMaps = 0;                // in this frame
-    const Accumulation* still = nullptr;      // null where none was asked for
-    ShadowAtlas* stillMaps = nullptr;         // of the lights of a frame of its average
-    ShadowAtlas* stillNearMaps = nullptr;     // of the same lights, about the view
-    osg::Vec2d subpixel = {};                 // shift of the picture in clip space over w
+    EmitterMaps* sceneLightMaps = nullptr;    // of the application's lights; null: nothing hides them
+    osg::Texture2D* sceneLightPoints = nullptr;
+    SunShadows* sunMaps = nullptr;         // null: suns have none
+    unsigned drawnSunMaps = 0;             // in this frame
+    const Accumulation* still = nullptr;   // null where none was asked for
+    ShadowAtlas* stillMaps = nullptr;      // of the lights of a frame of its average
+    ShadowAtlas* stillNearMaps = nullptr;  // of the same lights, about the view
+    osg::Vec2d subpixel = {};              // shift of the picture in clip space over w
 
     int width() const { return int(viewport->width()); }
     int height() const { return int(viewport->height()); }

@@ -116,7 +116,7 @@ bool Decisions::wantsSunMaps(const Settings& s)
     return (s.diffuse || s.specular) && s.occlusion && s.visibility != Settings::VISIBILITY_NONE && s.suns != Settings::SUNS_OFF;
 }
 
-bool Decisions::wantsAreaMaps(const Settings& s)
+bool Decisions::wantsEmitterMaps(const Settings& s)
 {
     return (s.diffuse || s.specular) && s.occlusion && s.visibility != Settings::VISIBILITY_NONE;
 }

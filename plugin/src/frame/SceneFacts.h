@@ -48,7 +48,7 @@ struct OSGENVLIGHT_EXPORT Decisions {
     /** The same of the suns' shadow maps. */
     static bool wantsSunMaps(const Settings& settings);
     /** Whether they leave it to the casters if area lights have shadow maps. */
-    static bool wantsAreaMaps(const Settings& settings);
+    static bool wantsEmitterMaps(const Settings& settings);
 };
 
 /** "3 lights", "1 light" */

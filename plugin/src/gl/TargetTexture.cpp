@@ -21,6 +21,13 @@ osg::ref_ptr<osg::Texture2D> targetTexture(int width, int height, GLint internal
     return texture;
 }
 
+osg::ref_ptr<osg::Texture2D> tableTexture(osg::Image* image)
+{
+    const osg::ref_ptr<osg::Texture2D> texture = targetTexture(image->s(), image->t(), GL_RGBA32F_ARB);
+    texture->setImage(image);
+    return texture;
+}
+
 osg::ref_ptr<osg::FrameBufferObject> frameBufferOf(osg::Texture2D* color, osg::Texture2D* depth)
 {
     osg::ref_ptr<osg::FrameBufferObject> target = new osg::FrameBufferObject;

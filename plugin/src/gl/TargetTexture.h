@@ -12,6 +12,9 @@ namespace osgEnvLight
 /** A texture of exact texels, to draw into or to look up: NEAREST, clamped to its edge, not resized to powers of two. */
 OSGENVLIGHT_EXPORT osg::ref_ptr<osg::Texture2D> targetTexture(int width, int height, GLint internalFormat);
 
+/** A table of floats, RGBA, to look up. */
+OSGENVLIGHT_EXPORT osg::ref_ptr<osg::Texture2D> tableTexture(osg::Image* image);
+
 /** A frame buffer of these; depth may be null. */
 OSGENVLIGHT_EXPORT osg::ref_ptr<osg::FrameBufferObject> frameBufferOf(osg::Texture2D* color, osg::Texture2D* depth = nullptr);
 

@@ -93,8 +93,9 @@ try {
     const bool shows = c.facts.surfaces.deferred + c.facts.surfaces.litForward > 0;
     const bool sendsOn = c.facts.areaLights > 0 && settings->bounce != Settings::BOUNCE_OFF;
     const bool needsCarrier = settings->diffuse && (!c.facts.mapIsBlack || sendsOn) && shows;
-    const bool hasAreaMaps = !c.areaLights.empty() && Decisions::wantsAreaMaps(*settings);
-    if ((needsCarrier && Decisions::wantsAtlas(*settings)) || ((sunny || hasAreaMaps) && shows)) {
+    const bool hasLamps = !c.areaLights.empty() || (!c.lights.empty() && settings->sceneLightShadows);
+    const bool hasLampMaps = hasLamps && Decisions::wantsEmitterMaps(*settings);
+    if ((needsCarrier && Decisions::wantsAtlas(*settings)) || ((sunny || hasLampMaps) && shows)) {
         CasterCollector collector(cv, c.worldFromEye, vd.casterStates, _facts.get());
         if (settings->bounce == Settings::BOUNCE_PROBES)
             collector.findSentLight(settings->materialColors == Settings::COLORS_SRGB);

@@ -7,6 +7,7 @@
 #include "passes/Occlusion.h"
 #include "passes/Output.h"
 #include "passes/PixelMarks.h"
+#include "passes/SceneLights.h"
 #include "passes/SkyShadows.h"
 #include "passes/Specular.h"
 #include "passes/StillView.h"
@@ -20,6 +21,7 @@ LitView::LitView(Failure* failure, RetiredObjects* retired, SurfaceSorter* sorte
 {
     graph.add(gbufferPass);
     graph.add(new PixelMarksPass);
+    graph.add(new SceneLightMapsPass(failure, retired));
     graph.add(new SceneLightsPass);
     graph.add(new AreaMapsPass(failure, retired));
     graph.add(new AreaShadowPass);

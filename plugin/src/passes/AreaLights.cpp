@@ -2,7 +2,6 @@
 #include "passes/AreaLights.h"
 
 #include "base/Limits.h"
-#include "gl/BindTargets.h"
 #include "gl/TargetTexture.h"
 #include "passes/Inputs.h"
 #include "passes/Occlusion.h"
@@ -41,11 +40,7 @@ Requirement requireReceivers(const FrameContext& c, Requirement lights)
 
 Requirement requireMaps(const FrameContext& c)
 {
-    Requirement shadows = requireLights(c);
-    shadows.unless(!c.settings.occlusion, "occlusion is off");
-    shadows.unless(c.settings.visibility == Settings::VISIBILITY_NONE, "visibility is none");
-    shadows.unless(c.facts.surfaces.deferred + c.facts.surfaces.litForward == 0, "nothing to light");
-    return shadows.unless(c.facts.casters == 0, "nothing casts shadows");
+    return requireEmitterMaps(c, requireLights(c));
 }
 
 bool pointsStandForThem(const FrameContext& c)
@@ -56,20 +51,6 @@ bool pointsStandForThem(const FrameContext& c)
 bool lightsLobes(const FrameContext& c)
 {
     return c.settings.specular && c.facts.surfaces.hasLobes();
-}
-
-osg::ref_ptr<osg::Texture2D> textureOf(osg::Image* image)
-{
-    const osg::ref_ptr<osg::Texture2D> texture = targetTexture(image->s(), image->t(), GL_RGBA32F_ARB);
-    texture->setImage(image);
-    return texture;
-}
-
-void write(osg::Image& image, size_t light, unsigned row, const osg::Vec3d& v, double w)
-{
-    float* out = reinterpret_cast<float*>(image.data(unsigned(light), row));
-    for (int k = 0; k < 3; ++k) out[k] = float(v.ptr()[k]);
-    out[3] = float(w);
 }
 
 // u and v; of a polygon two vectors whose cross product is its area along its normal.
@@ -92,13 +73,14 @@ osg::ref_ptr<osg::Image> lightImage(const std::vector<Emitter>& lights, const os
     for (size_t i = 0; i < lights.size(); ++i) {
         const Emitter& light = lights[i];
         const auto [u, v] = axesOf(light);
-        write(*image, i, 0, light.center - origin, light.extent() * light.extent());
-        write(*image, i, 1, light.radiance, light.shape + (light.twoSided ? 4 : 0) + 8 * int(light.vertices.size()));
-        write(*image, i, 2, u, 0.0);
-        write(*image, i, 3, v, 0.0);
+        writeTexel(*image, unsigned(i), 0, light.center - origin, light.extent() * light.extent());
+        writeTexel(*image, unsigned(i), 1, light.radiance,
+                   light.shape + (light.twoSided ? 4 : 0) + 8 * int(light.vertices.size()));
+        writeTexel(*image, unsigned(i), 2, u, 0.0);
+        writeTexel(*image, unsigned(i), 3, v, 0.0);
         for (size_t k = 0; k < vertices; ++k)
-            write(*image, i, unsigned(limits::AREA_LIGHT_ROWS + k), k < light.vertices.size() ? light.vertices[k] : osg::Vec3d(),
-                  0.0);
+            writeTexel(*image, unsigned(i), unsigned(limits::AREA_LIGHT_ROWS + k),
+                       k < light.vertices.size() ? light.vertices[k] : osg::Vec3d(), 0.0);
     }
     return image;
 }
@@ -113,59 +95,20 @@ Requirement AreaMapsPass::require(const FrameContext& c) const
                                   counted(c.facts.areaLights, "area light"));
 }
 
-EmitterMaps& AreaMapsPass::make(unsigned points, unsigned size)
-{
-    if (_maps && _maps->points == points && _maps->size == size) return *_maps;
-    drop();
-    _maps = new EmitterMaps(points, size);
-    _camera = new StageCamera;
-    BindTargets::install(*_camera, _maps->targets().maps, _failure.get());
-    return *_maps;
-}
-
-void AreaMapsPass::drop()
-{
-    if (_maps) retire(_maps->targets(), *_retired);
-    _maps = nullptr;
-    _camera = nullptr;
-    _points = nullptr;
-    _refreshes.clear();
-}
-
 void AreaMapsPass::update(FrameContext& c)
 {
-    EmitterMaps& maps = make(pointsOf(c.settings), unsigned(c.settings.areaMapSize));
-    maps.setCasters(c.casters);
-    const bool all = drawsAllAtOnce(c.settings, maps.points, maps.version() != 0, maps.triangles());
-    _refreshes =
-        maps.update(emitterPoints(c.areaLights, maps.points), all ? maps.points : unsigned(c.settings.atlasUpdatesPerFrame));
-    if (!_points || _pointVersion != maps.version()) _points = textureOf(maps.pointImage());
-    _pointVersion = maps.version();
-    c.emitterMaps = &maps;
-    c.emitterPoints = _points.get();
-    c.waitingMaps += maps.waiting();
+    c.emitterMaps = &_maps.update(c, emitterPoints(c.areaLights, pointsOf(c.settings)), unsigned(c.settings.areaMapSize));
+    c.emitterPoints = _maps.points();
 }
 
 void AreaMapsPass::setup(PassBuilder& b, FrameContext& c)
 {
-    if (!_refreshes.empty())
-        drawMaps(b, c, name(), name(), "pass/emittermap.frag", *_camera, _maps->targets(), _refreshes, _maps->drawn());
-    _refreshes.clear();
+    _maps.draw(b, c, name());
 }
 
 void AreaMapsPass::dismiss(FrameContext& c)
 {
-    if (!(c.showsNothing && c.facts.areaLights > 0 && Decisions::wantsAreaMaps(c.settings))) drop();
-}
-
-void AreaMapsPass::resizeGLObjectBuffers(unsigned maximum)
-{
-    if (_maps) _maps->resizeGLObjectBuffers(maximum);
-}
-
-void AreaMapsPass::releaseGLObjects(osg::State* state) const
-{
-    if (_maps) _maps->releaseGLObjects(state);
+    if (!(c.showsNothing && c.facts.areaLights > 0 && Decisions::wantsEmitterMaps(c.settings))) _maps.drop();
 }
 
 Requirement AreaShadowPass::require(const FrameContext& c) const
@@ -219,7 +162,7 @@ Requirement AreaLightsPass::require(const FrameContext& c) const
 osg::Texture2D* AreaLightsPass::lightTexture(const std::vector<Emitter>& lights, const osg::Vec3d& origin)
 {
     if (_lights && lights == _list && origin == _origin) return _lights.get();
-    _lights = textureOf(lightImage(lights, origin));
+    _lights = tableTexture(lightImage(lights, origin));
     _list = lights;
     _origin = origin;
     return _lights.get();

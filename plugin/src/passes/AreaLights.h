@@ -3,7 +3,6 @@
 
 #include "frame/RenderPass.h"
 #include "passes/MapRefresh.h"
-#include "shadow/EmitterMaps.h"
 
 namespace osgEnvLight
 {
@@ -12,31 +11,19 @@ namespace osgEnvLight
 class OSGENVLIGHT_EXPORT AreaMapsPass : public RenderPass
 {
   public:
-    AreaMapsPass(Failure* failure, RetiredObjects* retired) : _failure(failure), _retired(retired) {}
+    AreaMapsPass(Failure* failure, RetiredObjects* retired) : _maps(failure, retired) {}
 
     const char* name() const override { return "areamaps"; }
     Requirement require(const FrameContext& context) const override;
     void update(FrameContext& context) override;
     void setup(PassBuilder& builder, FrameContext& context) override;
     void dismiss(FrameContext& context) override;
-    size_t bytes() const override { return _maps ? _maps->bytes() : 0; }
-    void resizeGLObjectBuffers(unsigned maximum) override;
-    void releaseGLObjects(osg::State* state) const override;
-
-  protected:
-    ~AreaMapsPass() override { drop(); }
+    size_t bytes() const override { return _maps.bytes(); }
+    void resizeGLObjectBuffers(unsigned maximum) override { _maps.resizeGLObjectBuffers(maximum); }
+    void releaseGLObjects(osg::State* state) const override { _maps.releaseGLObjects(state); }
 
   private:
-    EmitterMaps& make(unsigned points, unsigned size);
-    void drop();
-
-    const osg::ref_ptr<Failure> _failure;
-    const osg::ref_ptr<RetiredObjects> _retired;
-    osg::ref_ptr<EmitterMaps> _maps;
-    osg::ref_ptr<osg::Camera> _camera;
-    std::vector<ShadowRefresh> _refreshes;
-    osg::ref_ptr<osg::Texture2D> _points;  // at which version
-    unsigned _pointVersion = 0;
+    EmitterMapsOwner _maps;
 };
 
 /** Each pixel of a 4x4 cell asks another sixteenth of these maps. */

@@ -83,6 +83,12 @@ void readEmitterPoints(PassBuilder& b, const FrameContext& c)
     b.bind(c.emitterPoints, "emitterPointMap");
 }
 
+void readSceneLightMaps(PassBuilder& b, const FrameContext& c)
+{
+    b.bind(c.sceneLightMaps->targets().texture.get(), "sceneLightMaps");
+    b.bind(c.sceneLightPoints, "sceneLightPointMap");
+}
+
 void readSunMaps(PassBuilder& b, FrameContext& c)
 {
     b.bind(c.sunMaps->texture(), "sunShadowMaps");

@@ -53,6 +53,8 @@ bool readSunVisibility(PassBuilder& builder);
 void readSkyMaps(PassBuilder& builder, FrameContext& context, const std::string& name, ShadowAtlas& maps, ShadowAtlas* near);
 /** The area lights' points and their shadow maps. */
 void readEmitterPoints(PassBuilder& builder, const FrameContext& context);
+/** The application's lights' shadow maps, and where these stand. */
+void readSceneLightMaps(PassBuilder& builder, const FrameContext& context);
 /** The shadow maps of the suns. */
 void readSunMaps(PassBuilder& builder, FrameContext& context);
 /** What pass/terms.glsl reads. */

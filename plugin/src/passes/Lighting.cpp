@@ -7,28 +7,6 @@
 namespace osgEnvLight
 {
 
-Requirement SceneLightsPass::require(const FrameContext& c) const
-{
-    const size_t count = c.facts.sceneLights;
-    Requirement lights;
-    lights.unless(c.settings.sceneLights == Settings::SCENE_LIGHTS_OFF, "switched off");
-    lights.unless(!c.facts.ownGBuffer, "the application's own G-buffer says what surfaces emit");
-    lights.unless(count == 0 && c.settings.sceneLights == Settings::SCENE_LIGHTS_AUTO, "only the viewer's own light");
-    lights.unless(count == 0, "no light is switched on");
-    lights.unless(c.facts.surfaces.deferred == 0, c.facts.whyNoneIsDeferred());
-    return lights.because(counted(count, "light") + ", without shadows");
-}
-
-void SceneLightsPass::setup(PassBuilder& b, FrameContext& c)
-{
-    b.readGBuffer();
-    readLobes(b, c);
-    drawSurfaces(b);
-    b.frameUniforms(&c.frame.sceneLightState());
-    b.settings<SurfaceSettings>();
-    b.addTo(b.find("emission"));
-}
-
 Requirement DiffusePass::require(const FrameContext& c) const
 {
     Requirement diffuse = c.decisions.light;

@@ -6,15 +6,6 @@
 namespace osgEnvLight
 {
 
-/** Adds what surfaces reflect of the application's lights to the G-buffer's emission: bounce and still views then have it too. */
-class OSGENVLIGHT_EXPORT SceneLightsPass : public RenderPass
-{
-  public:
-    const char* name() const override { return "scenelights"; }
-    Requirement require(const FrameContext& context) const override;
-    void setup(PassBuilder& builder, FrameContext& context) override;
-};
-
 /** D: the diffuse term of the map and of the suns, without occlusion. */
 class OSGENVLIGHT_EXPORT DiffusePass : public RenderPass
 {

@@ -2,6 +2,7 @@
 #include "passes/MapRefresh.h"
 
 #include "gl/BindTargets.h"
+#include "gl/TargetTexture.h"
 
 #include <osg/ColorMask>
 #include <osg/Depth>
@@ -54,6 +55,14 @@ bool drawsAllAtOnce(const Settings& settings, unsigned maps, bool known, size_t 
 {
     const bool fits = 2.0 * maps * double(triangles) <= firstFrameTriangles;
     return settings.regeneration == Settings::IMMEDIATE || (!known && fits);
+}
+
+Requirement requireEmitterMaps(const FrameContext& c, Requirement lights)
+{
+    lights.unless(!c.settings.occlusion, "occlusion is off");
+    lights.unless(c.settings.visibility == Settings::VISIBILITY_NONE, "visibility is none");
+    lights.unless(c.facts.surfaces.deferred + c.facts.surfaces.litForward == 0, "nothing to light");
+    return lights.unless(c.facts.casters == 0, "nothing casts shadows");
 }
 
 void drawMaps(PassBuilder& b, FrameContext& c, const char* pass, const std::string& name, const char* shader, osg::Camera& camera,
@@ -109,6 +118,54 @@ void AtlasOwner::resizeGLObjectBuffers(unsigned maximum)
 }
 
 void AtlasOwner::releaseGLObjects(osg::State* state) const
+{
+    if (_maps) _maps->releaseGLObjects(state);
+}
+
+EmitterMaps& EmitterMapsOwner::make(unsigned points, unsigned size)
+{
+    if (_maps && _maps->points == points && _maps->size == size) return *_maps;
+    drop();
+    _maps = new EmitterMaps(points, size);
+    _camera = new StageCamera;
+    BindTargets::install(*_camera, _maps->targets().maps, _failure.get());
+    return *_maps;
+}
+
+void EmitterMapsOwner::drop()
+{
+    if (_maps) retire(_maps->targets(), *_retired);
+    _maps = nullptr;
+    _camera = nullptr;
+    _points = nullptr;
+    _refreshes.clear();
+}
+
+EmitterMaps& EmitterMapsOwner::update(FrameContext& c, const std::vector<EmitterPoint>& points, unsigned size)
+{
+    EmitterMaps& maps = make(unsigned(points.size()), size);
+    maps.setCasters(c.casters);
+    const bool all = drawsAllAtOnce(c.settings, maps.points, maps.version() != 0, maps.triangles());
+    _refreshes = maps.update(points, all ? maps.points : unsigned(c.settings.atlasUpdatesPerFrame));
+    if (!_points || _pointVersion != maps.version()) _points = tableTexture(maps.pointImage());
+    _pointVersion = maps.version();
+    c.waitingMaps += maps.waiting();
+    return maps;
+}
+
+void EmitterMapsOwner::draw(PassBuilder& b, FrameContext& c, const char* pass)
+{
+    if (_maps && !_refreshes.empty())
+        drawMaps(b, c, pass, pass, "pass/emittermap.frag", *_camera, _maps->targets(), _refreshes, _maps->drawn());
+    _refreshes.clear();
+}
+
+void EmitterMapsOwner::resizeGLObjectBuffers(unsigned maximum)
+{
+    if (_maps) _maps->resizeGLObjectBuffers(maximum);
+}
+
+void EmitterMapsOwner::releaseGLObjects(osg::State* state) const
 {
     if (_maps) _maps->releaseGLObjects(state);
 }

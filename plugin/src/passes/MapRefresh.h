@@ -4,7 +4,9 @@
 #include "base/Failure.h"
 #include "frame/FrameContext.h"
 #include "frame/PassBuilder.h"
+#include "frame/Requirement.h"
 #include "gl/RetiredObjects.h"
+#include "shadow/EmitterMaps.h"
 
 #include <string>
 #include <vector>
@@ -24,6 +26,9 @@ void drawMaps(PassBuilder& builder, FrameContext& context, const char* pass, con
  * @param known  whether an earlier frame has drawn any
  * @param triangles  in each map */
 bool drawsAllAtOnce(const Settings& settings, unsigned maps, bool known, size_t triangles);
+
+/** The lights, unless nothing is to be seen of maps of their points. */
+Requirement requireEmitterMaps(const FrameContext& context, Requirement lights);
 
 /** A draw may still use them. */
 void retire(const ShadowTargets& targets, RetiredObjects& retired);
@@ -55,6 +60,39 @@ class OSGENVLIGHT_EXPORT AtlasOwner
     osg::ref_ptr<ShadowAtlas> _maps;
     osg::ref_ptr<osg::Camera> _camera;
     std::vector<ShadowRefresh> _refreshes;
+};
+
+/** The same of maps of points of lights, with the table that says where they stand. */
+class OSGENVLIGHT_EXPORT EmitterMapsOwner
+{
+  public:
+    EmitterMapsOwner(Failure* failure, RetiredObjects* retired) : _failure(failure), _retired(retired) {}
+    ~EmitterMapsOwner() { drop(); }
+
+    /** In update(): choose maps to be drawn in this frame. Made anew where the counts differ.
+     * @param size  of a map's side [texels] */
+    EmitterMaps& update(FrameContext& context, const std::vector<EmitterPoint>& points, unsigned size);
+    /** EmitterMaps::pointImage() of update(). */
+    osg::Texture2D* points() const { return _points.get(); }
+    void drop();
+
+    /** In setup(): draw them. */
+    void draw(PassBuilder& builder, FrameContext& context, const char* pass);
+
+    size_t bytes() const { return _maps ? _maps->bytes() : 0; }
+    void resizeGLObjectBuffers(unsigned maximum);
+    void releaseGLObjects(osg::State* state) const;
+
+  private:
+    EmitterMaps& make(unsigned points, unsigned size);
+
+    const osg::ref_ptr<Failure> _failure;
+    const osg::ref_ptr<RetiredObjects> _retired;
+    osg::ref_ptr<EmitterMaps> _maps;
+    osg::ref_ptr<osg::Camera> _camera;
+    std::vector<ShadowRefresh> _refreshes;
+    osg::ref_ptr<osg::Texture2D> _points;  // at which version
+    unsigned _pointVersion = 0;
 };
 
 }  // namespace osgEnvLight

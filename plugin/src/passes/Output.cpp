@@ -165,6 +165,11 @@ void ForwardPass::setup(PassBuilder& b, FrameContext& c)
         b.define("HAS_SCENE_LIGHTS");
         b.frameUniforms(&c.frame.sceneLightState());
     }
+    if (c.sceneLightMaps) {
+        b.define("HAS_SCENE_LIGHT_MAPS");
+        readSceneLightMaps(b, c);
+        addPlace("sceneLightMapsFromEye", c.sceneLightMaps->origin());
+    }
     if (b.read("bounce", "bounceMap")) b.define("HAS_BOUNCE");
 }
 

@@ -42,22 +42,21 @@ void EmitterMaps::setCasters(const std::vector<Caster>& casters)
     _still.update(casters, _moved, slack);
 }
 
-void EmitterMaps::place(Map& map, unsigned index) const
+void EmitterMaps::place(Map& map, const EmitterPoint& point) const
 {
-    const EmitterPoint& point = _list[index];
     const glsl::mat3 frame = glsl::frameAround(glsl::vec3(point.normal.x(), point.normal.y(), point.normal.z()));
     const osg::Vec3d t(frame[0].x, frame[0].y, frame[0].z), b(frame[1].x, frame[1].y, frame[1].z);
-    const double turn = 2.39996322972865332 * index;  // golden angle: neighbours' texels don't fall in step
     map.position = point.position;
-    map.across = t * std::cos(turn) + b * std::sin(turn);
-    map.up = b * std::cos(turn) - t * std::sin(turn);
+    map.across = t * std::cos(point.turn) + b * std::sin(point.turn);
+    map.up = b * std::cos(point.turn) - t * std::sin(point.turn);
     map.along = point.normal;
+    map.widest = point.tangent;
 }
 
 // The window about all that casts shadows, within the widest one: a lamp far off has as fine a map as a near one.
 void EmitterMaps::fit(Map& map) const
 {
-    const double widest = glsl::EMITTER_MAP_TANGENT, least = glsl::EMITTER_MAP_NEAR * _extent;
+    const double widest = map.widest, least = glsl::EMITTER_MAP_NEAR * _extent;
     double nearest = 1e300, farthest = 2.0 * least;
     osg::BoundingBoxd seen;  // x, y at distance 1
     for (unsigned i = 0; i < 8 && _box.valid(); ++i) {
@@ -75,8 +74,9 @@ void EmitterMaps::fit(Map& map) const
     }
     map.window = (low + high) * 0.5;
     map.tangent = std::max(std::max(high[0] - low[0], high[1] - low[1]) * 0.5 * (1.0 + 4.0 / size), 1e-6);
-    map.nearest = isInside ? least : 0.99 * nearest;
-    map.octaves = std::log2(1.01 * farthest / map.nearest);
+    const double margin = 0.01 * std::max(farthest - nearest, 0.0);
+    map.nearest = isInside ? least : std::max(nearest - margin, 0.5 * nearest);
+    map.octaves = std::log2((farthest + margin) / map.nearest);
 }
 
 // Depths are 1 - nearest / distance.
@@ -111,7 +111,7 @@ std::vector<ShadowRefresh> EmitterMaps::update(const std::vector<EmitterPoint>& 
     for (unsigned i = 0; i < points; ++i) {
         Map& map = _maps[i];
         const bool elsewhere = (list[i].position - map.position).length() > movedShare * _extent ||
-                               (list[i].normal - map.along).length() > movedShare;
+                               (list[i].normal - map.along).length() > movedShare || list[i].tangent != map.widest;
         map.outdated = map.outdated || _moved || elsewhere;
         map.age = map.outdated ? map.age + 1 : 0;
         const double p = priority(map, list[i]);
@@ -123,7 +123,7 @@ std::vector<ShadowRefresh> EmitterMaps::update(const std::vector<EmitterPoint>& 
     std::vector<ShadowRefresh> refreshes;
     for (size_t k = 0; k < count; ++k) {
         Map& map = _maps[wanted[k].second];
-        place(map, wanted[k].second);
+        place(map, list[wanted[k].second]);
         fit(map);
         map.drawn = true;
         map.outdated = false;

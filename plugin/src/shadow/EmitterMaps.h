@@ -10,8 +10,8 @@
 namespace osgEnvLight
 {
 
-/** The shadow maps of one view's emitter points, side by side in one texture: each shows what of the scene lies in a cone before
- * a point of an area light, and keeps the middle between the first and the second surface as heights that fall with the distance
+/** The shadow maps of points of lights for one view, side by side in one texture: each shows what of the scene lies in a pyramid
+ * before its point, and keeps the middle between the first and the second surface as heights that fall with the distance
  * [lib/emittermap.glsl]. They stand in the world. Some are drawn again each frame when what casts shadows or where a light stands
  * has changed, and until then show what they last showed.
  *
@@ -19,8 +19,7 @@ namespace osgEnvLight
 class OSGENVLIGHT_EXPORT EmitterMaps : public osg::Referenced
 {
   public:
-    /** @param points  a multiple of 16
-     * @param size    of a map's side [texels] */
+    /** @param size    of a map's side [texels] */
     EmitterMaps(unsigned points, unsigned size);
 
     const unsigned points;
@@ -62,14 +61,15 @@ class OSGENVLIGHT_EXPORT EmitterMaps : public osg::Referenced
     // Where a map was last drawn from, and what it shows: a square window at distance 1 along its axis, and distances.
     struct Map {
         osg::Vec3d position, across, up, along;
+        double widest = 0.0;  // half the width that a window may have
         osg::Vec2d window;
-        double tangent = 1.0;  // half the window's width
+        double tangent = 1.0;  // half this one's
         double nearest = 1.0, octaves = 1.0;
         bool drawn = false;
         bool outdated = false;
         unsigned age = 0;  // frames since it became outdated
     };
-    void place(Map& map, unsigned index) const;
+    void place(Map& map, const EmitterPoint& point) const;
     void fit(Map& map) const;
     osg::Matrixd projection(const Map& map) const;
     double priority(const Map& map, const EmitterPoint& point) const;

@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <numeric>
 
+#include "glsl.h"
+
 namespace osgEnvLight
 {
 
@@ -173,6 +175,10 @@ std::vector<EmitterPoint> emitterPoints(const std::vector<Emitter>& lights, unsi
     }
     const EmitterPoint dark{osg::Vec3d(), osg::Vec3d(0, 0, 1), osg::Vec3d(), 1.0};
     points.resize(count, dark);
+    for (unsigned i = 0; i < count; ++i) {
+        points[i].turn = 2.39996322972865332 * i;  // golden angle: neighbours' texels don't fall in step
+        points[i].tangent = glsl::EMITTER_MAP_TANGENT;
+    }
     return points;
 }
 

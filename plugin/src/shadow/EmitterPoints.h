@@ -15,9 +15,14 @@ struct EmitterPoint {
     osg::Vec3d power;   // radiance times the part's area
     double area = 0.0;  // of the part
 
+    // Of its shadow map:
+    double turn = 0.0;     // about the normal
+    double tangent = 0.0;  // half the width of the widest window, at distance 1
+
     bool operator==(const EmitterPoint& o) const
     {
-        return position == o.position && normal == o.normal && power == o.power && area == o.area;
+        return position == o.position && normal == o.normal && power == o.power && area == o.area && turn == o.turn &&
+               tangent == o.tangent;
     }
 };
 

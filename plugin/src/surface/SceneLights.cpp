@@ -99,12 +99,13 @@ SceneLightList findSceneLights(osgUtil::RenderStage& stage, const osg::View* vie
     const auto add = [&](osgUtil::PositionalStateContainer& container, const osg::Matrixd& after) {
         for (const Positioned& entry : container.getAttrMatrixList()) {
             const auto* light = dynamic_cast<const osg::Light*>(entry.first.get());
-            const bool left = light && !withView && isOfView(entry, isFirst, view);
+            const bool ofView = light && isOfView(entry, isFirst, view);
             isFirst = false;
             if (!light || unsigned(light->getLightNum()) >= SceneLightUniforms::maximum) continue;
             byNumber.erase(unsigned(light->getLightNum()));
             const osg::Matrixd toEye = (entry.second ? osg::Matrixd(*entry.second) : osg::Matrixd()) * after;
-            if (!left) byNumber.emplace(unsigned(light->getLightNum()), convert(*light, toEye));
+            if (ofView && !withView) continue;
+            byNumber.emplace(unsigned(light->getLightNum()), convert(*light, toEye)).first->second.ofView = ofView;
         }
     };
     // A camera that draws into a texture has the lights of the one above it, too.
@@ -130,7 +131,8 @@ SceneLightUniforms::SceneLightUniforms()
       _color(new osg::Uniform(osg::Uniform::FLOAT_VEC3, "sceneLightColor", maximum)),
       _position(new osg::Uniform(osg::Uniform::FLOAT_VEC4, "sceneLightPosition", maximum)),
       _spot(new osg::Uniform(osg::Uniform::FLOAT_VEC4, "sceneLightSpot", maximum)),
-      _falloff(new osg::Uniform(osg::Uniform::FLOAT_VEC4, "sceneLightFalloff", maximum))
+      _falloff(new osg::Uniform(osg::Uniform::FLOAT_VEC4, "sceneLightFalloff", maximum)),
+      _faces(new osg::Uniform(osg::Uniform::INT_VEC2, "sceneLightFaces", maximum))
 {
 }
 
@@ -142,12 +144,15 @@ void SceneLightUniforms::set(const SceneLightList& lights)
         _position->setElement(i, lights[i].position);
         _spot->setElement(i, lights[i].spot);
         _falloff->setElement(i, lights[i].falloff);
+        const auto [first, count] = faces[lights[i].number];
+        _faces->setElement(i, int(first), int(count));
     }
 }
 
 void SceneLightUniforms::addTo(osg::StateSet& state) const
 {
-    for (osg::Uniform* u : {_count.get(), _color.get(), _position.get(), _spot.get(), _falloff.get()}) state.addUniform(u);
+    for (osg::Uniform* u : {_count.get(), _color.get(), _position.get(), _spot.get(), _falloff.get(), _faces.get()})
+        state.addUniform(u);
 }
 
 }  // namespace osgEnvLight

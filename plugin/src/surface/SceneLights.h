@@ -10,7 +10,9 @@
 #include <osg/View>
 #include <osgUtil/RenderStage>
 
+#include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace osgEnvLight
@@ -24,6 +26,7 @@ struct SceneLight {
     osg::Vec4f position;  // w = 1; of a directional light the unit direction to it, w = 0
     osg::Vec4f spot;      // unit direction of the cone, cosine of its cutoff; -2: no cone
     osg::Vec4f falloff;   // constant, linear, quadratic attenuation; exponent of the spot
+    bool ofView = false;  // the viewer's own head or sky light
 
     bool operator==(const SceneLight& o) const
     {
@@ -31,6 +34,9 @@ struct SceneLight {
     }
 };
 using SceneLightList = std::vector<SceneLight>;
+
+/** Which shadow maps are a light's, by its number: the first, and how many. */
+using SceneLightFaces = std::array<std::pair<unsigned, unsigned>, limits::MOST_SCENE_LIGHTS>;
 
 /** Those of a stage, one for each GL_LIGHTi: where several have a number, the last counts, as in OpenGL. In the middle of cull
  * they are those of the LightSources met so far.
@@ -52,11 +58,14 @@ class OSGENVLIGHT_EXPORT SceneLightUniforms
     static constexpr unsigned maximum = limits::MOST_SCENE_LIGHTS;
 
     SceneLightUniforms();
+    /** With the maps of faces. */
     void set(const SceneLightList& lights);
     void addTo(osg::StateSet& state) const;
 
+    SceneLightFaces faces = {};
+
   private:
-    osg::ref_ptr<osg::Uniform> _count, _color, _position, _spot, _falloff;
+    osg::ref_ptr<osg::Uniform> _count, _color, _position, _spot, _falloff, _faces;
 };
 
 }  // namespace osgEnvLight
