@@ -1,8 +1,8 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// The map, the suns and area lights light the surface points [indirect2.md 6]. Each texel is a point. The colour is the irradiance over pi, in
+// The map, the suns and lamps light the surface points [indirect2.md 6]. Each texel is a point. The colour is the irradiance over pi, in
 // units of the map's mean; alpha is the share of the map's directions that the point sees.
-#pragma import_defines(HAS_SUN_MAPS, HAS_AREA_LIGHTS)
+#pragma import_defines(HAS_SUN_MAPS, HAS_AREA_LIGHTS, HAS_SCENE_LIGHT_MAPS)
 
 #include "lib/constants.glsl"
 #include "lib/limits.glsl"
@@ -10,8 +10,16 @@
 #ifdef HAS_SUN_MAPS
 #include "pass/sunshadow.glsl"
 #endif
+#if defined(HAS_AREA_LIGHTS) || defined(HAS_SCENE_LIGHT_MAPS)
+#include "pass/pointmap.glsl"
+uniform float radianceScale;
+#endif
 #ifdef HAS_AREA_LIGHTS
 #include "pass/emitterpoints.glsl"
+#endif
+#ifdef HAS_SCENE_LIGHT_MAPS
+#include "pass/scenelights.glsl"
+#include "pass/scenelightmaps.glsl"
 #endif
 
 uniform sampler2D pointPlaceMap;
@@ -26,7 +34,11 @@ uniform vec3 pointsInSunMaps;
 
 #ifdef HAS_AREA_LIGHTS
 uniform vec3 pointsInEmitterMaps;
-uniform float radianceScale;
+#endif
+
+#ifdef HAS_SCENE_LIGHT_MAPS
+uniform vec3 pointsInSceneLightMaps;
+uniform mat4 eyeFromPoints;
 #endif
 
 layout(location = 0) out vec4 light;
@@ -59,6 +71,22 @@ vec3 areaLight(vec3 place, vec3 n)
 }
 #endif
 
+#ifdef HAS_SCENE_LIGHT_MAPS
+vec3 sceneLight(vec3 place, vec3 n)
+{
+    vec3 eye = vec3(eyeFromPoints * vec4(place, 1.0));
+    vec3 eyeNormal = mat3(eyeFromPoints) * n;
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < sceneLightCount; ++i) {
+        vec3 direction;
+        vec3 light = sceneLightAt(i, eye, direction);
+        float c = dot(eyeNormal, direction);
+        if (c > 0.0) sum += c * sceneLightSeen(i, place + pointsInSceneLightMaps, n) * light;
+    }
+    return sum / radianceScale;
+}
+#endif
+
 void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
@@ -85,6 +113,9 @@ void main()
 #endif
 #ifdef HAS_AREA_LIGHTS
     overPi += areaLight(place, n);
+#endif
+#ifdef HAS_SCENE_LIGHT_MAPS
+    overPi += sceneLight(place, n);
 #endif
     light = vec4(overPi, all > 0.0 ? seen / all : 1.0);
 }

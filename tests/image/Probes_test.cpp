@@ -5,6 +5,7 @@
 
 #include <osgEnvLight/Material>
 
+#include <osg/LightSource>
 #include <osg/MatrixTransform>
 
 #include <gtest/gtest.h>
@@ -62,15 +63,15 @@ Figures figuresOf(const Picture& p, int channel = 1)
     return {mean, std::sqrt(std::max(squares / std::max(count, 1) - mean * mean, 0.0))};
 }
 
-// The inner half of a sphere, open above.
-osg::ref_ptr<osg::Geode> makeBowl(int rings)
+// The inside of a sphere, open above down to the polar angle.
+osg::ref_ptr<osg::Geode> makeBowl(int rings, double opening = M_PI_2)
 {
     osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array, normals = new osg::Vec3Array;
     osg::ref_ptr<osg::DrawElementsUInt> indices = new osg::DrawElementsUInt(GL_TRIANGLES);
     const int sides = 4 * rings;
     for (int i = 0; i <= rings; ++i)
         for (int j = 0; j <= sides; ++j) {
-            const double polar = M_PI * (0.5 + 0.5 * i / rings), azimuth = 2.0 * M_PI * j / sides;
+            const double polar = opening + (M_PI - opening) * i / rings, azimuth = 2.0 * M_PI * j / sides;
             const osg::Vec3 p(float(std::sin(polar) * std::cos(azimuth)), float(std::sin(polar) * std::sin(azimuth)),
                               float(std::cos(polar)));
             vertices->push_back(p);
@@ -150,6 +151,36 @@ TEST(Probes, ABowlIsItsClosedForm)
         const double expected = 0.5 * double(albedo) / (1.0 - 0.5 * double(albedo));
         EXPECT_NEAR(1.0, f.mean / expected, 0.02) << albedo;  // indirect2.md 2: .4 %; the rim and its own facets
         EXPECT_LT(f.deviation / f.mean, 0.05) << albedo;
+    }
+}
+
+// A lamp of the application in the middle of a hollow ball, under a black map: rho L / (1 - rho) everywhere. It may be dimmed,
+// and be put out.
+TEST(Probes, AHollowBallAboutALampIsItsClosedForm)
+{
+    SceneRenderer renderer(64, 64);
+    renderer.lookAt(osg::Vec3d(0.2, -0.5, 0.1), osg::Vec3d(0.1, 1, -0.3), osg::Vec3d(0, 0, 1), 70.0);
+    renderer.viewer().getCamera()->setProjectionMatrixAsPerspective(70.0, 1.0, 0.05, 100.0);
+    for (const float albedo : {0.3f, 0.5f}) {
+        osg::ref_ptr<LitScene> lit = makeProbed(0.0);
+        lit->addChild(makeBowl(24, 0.0));
+        setAlbedo(*lit, albedo);
+        const osg::ref_ptr<osg::LightSource> lamp = new osg::LightSource;
+        lamp->getLight()->setLightNum(1);
+        lamp->getLight()->setPosition(osg::Vec4(0, 0, 0, 1));
+        lit->addChild(lamp);
+        lit->getOrCreateStateSet()->setMode(GL_LIGHT1, osg::StateAttribute::ON);
+        for (const float attenuation : {1.0f, 4.0f}) {
+            lamp->getLight()->setDiffuse(osg::Vec4(1, 1, 1, 1));
+            lamp->getLight()->setConstantAttenuation(attenuation);
+            const Figures f = figuresOf(renderer.render(lit));
+            EXPECT_TRUE(lit->plan().runs("points"));
+            const double expected = double(albedo) / double(attenuation) / (1.0 - double(albedo));
+            EXPECT_NEAR(1.0, f.mean / expected, 0.02) << albedo << " " << attenuation;  // as of a bowl
+            EXPECT_LT(f.deviation / f.mean, 0.02) << albedo;
+        }
+        lamp->getLight()->setDiffuse(osg::Vec4(0, 0, 0, 1));
+        EXPECT_EQ(0.0, figuresOf(renderer.render(lit)).mean);
     }
 }
 

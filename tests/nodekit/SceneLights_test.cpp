@@ -90,6 +90,7 @@ class SceneLights : public testing::Test
     {
         root->addChild(lit);
         lit->addChild(makeScreen());
+        lit->getSettings()->bounce = Settings::BOUNCE_OFF;
         renderer.lookAt(osg::Vec3d(0, -4, 0), osg::Vec3d(), osg::Vec3d(0, 0, 1), 60.0);
         for (int i = 1; i < 8; ++i) root->getOrCreateStateSet()->setMode(GLenum(GL_LIGHT0 + i), osg::StateAttribute::ON);
     }

@@ -121,6 +121,8 @@ osg::StateSet& FrameResources::pointState(const PointPlaces& places, int rows, i
         _pointState->addUniform(new osg::Uniform("pointsInAtlas", osg::Vec3()));
         _pointState->addUniform(new osg::Uniform("pointsInSunMaps", osg::Vec3()));
         _pointState->addUniform(new osg::Uniform("pointsInEmitterMaps", osg::Vec3()));
+        _pointState->addUniform(new osg::Uniform("pointsInSceneLightMaps", osg::Vec3()));
+        _pointState->addUniform(new osg::Uniform("eyeFromPoints", osg::Matrixf()));
         _pointState->addUniform(new osg::Uniform("pointRows", rows));
         _pointState->addUniform(new osg::Uniform("pointTurn", turn));
         _pointState->addUniform(new osg::Uniform("pointLift", 0.0f));
@@ -128,6 +130,8 @@ osg::StateSet& FrameResources::pointState(const PointPlaces& places, int rows, i
     _pointState->getUniform("pointsInAtlas")->set(osg::Vec3(places.inAtlas));
     _pointState->getUniform("pointsInSunMaps")->set(osg::Vec3(places.inSunMaps));
     _pointState->getUniform("pointsInEmitterMaps")->set(osg::Vec3(places.inEmitterMaps));
+    _pointState->getUniform("pointsInSceneLightMaps")->set(osg::Vec3(places.inSceneLightMaps));
+    _pointState->getUniform("eyeFromPoints")->set(osg::Matrixf(places.inEye));
     _pointState->getUniform("pointRows")->set(rows);
     _pointState->getUniform("pointTurn")->set(turn);
     _pointState->getUniform("pointLift")->set(float(lift));

@@ -64,9 +64,10 @@ class OSGENVLIGHT_EXPORT FrameResources : public osg::Referenced
      * @param name  of the atlas
      * @param near  the atlas of the same lights about the view, or null */
     osg::StateSet& atlasState(const std::string& name, const ShadowAtlas& atlas, const ShadowAtlas* near);
-    /** Where the points' origin lies about those of shadow maps. */
+    /** Where the points' origin lies about those of shadow maps, and the points before the eye. */
     struct PointPlaces {
-        osg::Vec3d inAtlas, inSunMaps, inEmitterMaps;
+        osg::Vec3d inAtlas, inSunMaps, inEmitterMaps, inSceneLightMaps;
+        osg::Matrixd inEye;
     };
     /** Uniforms of pass/points.frag: the places, which rows are due, how far off its surface a point asks the suns' maps. */
     osg::StateSet& pointState(const PointPlaces& places, int rows, int turn, double lift);

@@ -22,7 +22,7 @@ Requirement decideLight(const SceneFacts& f, const Settings& s)
 {
     Requirement light;
     // Under a black map it is there for the light that surfaces send each other, if there is any.
-    const bool isDark = f.mapIsBlack && (f.areaLights == 0 || s.bounce == Settings::BOUNCE_OFF);
+    const bool isDark = f.mapIsBlack && (!f.hasLamps() || s.bounce == Settings::BOUNCE_OFF);
     light.unless(!s.diffuse, "switched off").unless(isDark, "the map is black");
     light.unless(isNothing(f), "nothing to light");
     return light.unless(f.carrier.given && f.carrier.lights == 0, "the application's list has no lights");

@@ -25,6 +25,8 @@ struct SceneFacts {
     size_t areaLights = 0;
     bool ownGBuffer = true;  // not the application's, of which nobody knows when it changes
 
+    /** Lights in the scene, beside those of the map. */
+    bool hasLamps() const { return areaLights + sceneLights > 0; }
     /** The reason of passes over the G-buffer where it is empty. */
     const char* whyNoneIsDeferred() const;
 };

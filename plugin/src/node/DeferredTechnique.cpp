@@ -91,7 +91,7 @@ try {
     });
 
     const bool shows = c.facts.surfaces.deferred + c.facts.surfaces.litForward > 0;
-    const bool sendsOn = c.facts.areaLights > 0 && settings->bounce != Settings::BOUNCE_OFF;
+    const bool sendsOn = c.facts.hasLamps() && settings->bounce != Settings::BOUNCE_OFF;
     const bool needsCarrier = settings->diffuse && (!c.facts.mapIsBlack || sendsOn) && shows;
     const bool hasLamps = !c.areaLights.empty() || (!c.lights.empty() && settings->sceneLightShadows);
     const bool hasLampMaps = hasLamps && Decisions::wantsEmitterMaps(*settings);

@@ -161,6 +161,12 @@ PointsPass::Key PointsPass::keyOf(const FrameContext& c)
     key.sunsVersion = c.sunMaps ? c.sunMaps->version() : 0;
     key.emitters = c.emitterMaps;
     key.emittersVersion = c.emitterMaps ? c.emitterMaps->version() : 0;
+    key.lamps = c.sceneLightMaps;
+    key.lampsVersion = c.sceneLightMaps ? c.sceneLightMaps->version() : 0;
+    for (const SceneLight& light : c.lights) {
+        key.falloffs.push_back(light.falloff);
+        key.cones.push_back(light.spot[3]);
+    }
     key.reflectances = c.indirect->reflectances;
     key.mapFromWorld = c.mapFromWorld;
     key.radianceScale = c.radianceScale;
@@ -169,7 +175,7 @@ PointsPass::Key PointsPass::keyOf(const FrameContext& c)
 
 Requirement PointsPass::require(const FrameContext& c) const
 {
-    return requireScene(c).because("light of the map and its suns at surface points, where it changes");
+    return requireScene(c).because("light of the map, its suns and lamps at surface points, where it changes");
 }
 
 // A change reaches the points in turns, and goes on between them some bounces a frame: it may be one of many, as of a map that is
@@ -200,21 +206,28 @@ void PointsPass::setup(PassBuilder& b, FrameContext& c)
     b.bind(light.scene->pointPlaces, "pointPlaceMap");
     b.bind(light.scene->pointNormals, "pointNormalMap");
     readSkyMaps(b, c, "atlas", *c.skyMaps, nullptr);
-    osg::Vec3d inSunMaps;
+    FrameResources::PointPlaces places;
+    places.inAtlas = light.scene->origin - c.skyMaps->origin();
     if (c.sunMaps && c.decisions.sunDiffuse) {
         b.define("HAS_SUN_MAPS");
         readSuns(b, c);
         readSunMaps(b, c);
-        inSunMaps = light.scene->origin - c.sunMaps->targets().origin;
+        places.inSunMaps = light.scene->origin - c.sunMaps->targets().origin;
     }
-    osg::Vec3d inEmitterMaps;
     if (c.emitterMaps) {
         b.define("HAS_AREA_LIGHTS");
         readEmitterPoints(b, c);
-        inEmitterMaps = light.scene->origin - c.emitterMaps->origin();
+        places.inEmitterMaps = light.scene->origin - c.emitterMaps->origin();
     }
-    b.frameUniforms(&c.frame.pointState({light.scene->origin - c.skyMaps->origin(), inSunMaps, inEmitterMaps}, int(light.rows),
-                                        int(c.number % light.rows), 0.5 * c.skyMaps->texel()));
+    if (c.sceneLightMaps) {
+        b.define("HAS_SCENE_LIGHT_MAPS");
+        b.settings<SurfaceSettings>();
+        readSceneLightMaps(b, c);
+        b.frameUniforms(&c.frame.sceneLightState());
+        places.inSceneLightMaps = light.scene->origin - c.sceneLightMaps->origin();
+        places.inEye = osg::Matrixd::translate(light.scene->origin) * osg::Matrixd::inverse(c.worldFromEye);
+    }
+    b.frameUniforms(&c.frame.pointState(places, int(light.rows), int(c.number % light.rows), 0.5 * c.skyMaps->texel()));
     b.write(b.import("point light", light.targets.pointLight.get()));
     b.drawAlways();
 }

@@ -69,8 +69,10 @@ class OSGENVLIGHT_EXPORT PointsPass : public RenderPass
   private:
     /** What the points' light depends on. */
     struct Key {
-        osg::ref_ptr<const osg::Referenced> scene, textures, sky, suns, emitters, reflectances;
-        unsigned skyVersion = 0, sunsVersion = 0, emittersVersion = 0;
+        osg::ref_ptr<const osg::Referenced> scene, textures, sky, suns, emitters, lamps, reflectances;
+        unsigned skyVersion = 0, sunsVersion = 0, emittersVersion = 0, lampsVersion = 0;
+        std::vector<osg::Vec4f> falloffs;  // of the application's lights, which their maps do not show
+        std::vector<float> cones;
         osg::Matrixd mapFromWorld;
         double radianceScale = 0.0;
 
@@ -78,6 +80,7 @@ class OSGENVLIGHT_EXPORT PointsPass : public RenderPass
         {
             return scene == o.scene && textures == o.textures && sky == o.sky && suns == o.suns && emitters == o.emitters &&
                    emittersVersion == o.emittersVersion && reflectances == o.reflectances && skyVersion == o.skyVersion &&
+                   lamps == o.lamps && lampsVersion == o.lampsVersion && falloffs == o.falloffs && cones == o.cones &&
                    sunsVersion == o.sunsVersion && mapFromWorld == o.mapFromWorld && radianceScale == o.radianceScale;
         }
     };
