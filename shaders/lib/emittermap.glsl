@@ -112,19 +112,33 @@ float splineWeight(int side, float d)
     return side == 0 ? 0.75 - d * d : 0.5 * near * near;
 }
 
+// 1 if a texel does not hide the light from a point at place whose own plane rises so far to the texel's centre, in shares of the point's
+// height, else 0. Where two surfaces meet, the plane of one goes on behind the other: what hides must be above the point's plane at the
+// texel, and its own plane, which falls by two texels' widths at most, above the point.
+float emitterTexelPasses(vec4 texel, EmitterMap m, vec2 centre, vec3 place, float rise)
+{
+    float middle = unpackedHeight(texel.x, m.octaves) / place.z;
+    float least = emitterMapStep(m);
+    if (middle <= 1.0 + max(rise, -0.9) + least) return 1.0;
+    float width = emitterTexelWidth(m);
+    float fall = dot(unpackedRise(texel.y), vec2(place.x, place.y) - centre) * middle;
+    return middle + clamp(fall, -2.0 * width, 2.0 * width) > 1.0 + 0.1 * width + least ? 0.0 : 1.0;
+}
+
 // How much of a light without size a surface gets, of normal n about p and so at place: the texels about it say, and edges of shadows are
 // as wide as these.
 float emitterMapShare(sampler2D maps, EmitterMap m, vec3 p, vec3 n, vec3 place)
 {
-    vec2 centre = floor(vec2(place.x, place.y)) + 0.5;
-    vec2 d = vec2(place.x, place.y) - centre;
-    float most = float(m.size) - 0.5;
+    vec2 xy = vec2(place.x, place.y);
+    ivec2 middle = ivec2(xy);
+    vec2 d = fract(xy) - 0.5;
     float sum = 0.0;
     for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x) {
-            vec2 at = clamp(centre + vec2(float(x), float(y)), vec2(0.5), vec2(most));
-            float rise = max(emitterMapRise(m, p, n, at - vec2(place.x, place.y)), -0.9);
-            sum += splineWeight(x, d.x) * splineWeight(y, d.y) * emitterMapSees(maps, m, vec3(at, place.z * (1.0 + rise)), 0.0);
+            ivec2 at = clamp(middle + ivec2(x, y), ivec2(0), ivec2(m.size - 1));
+            vec2 centre = vec2(at) + 0.5;
+            float passes = emitterTexelPasses(texelFetch(maps, m.corner + at, 0), m, centre, place, emitterMapRise(m, p, n, centre - xy));
+            sum += splineWeight(x, d.x) * splineWeight(y, d.y) * passes;
         }
     return sum;
 }
