@@ -6,6 +6,7 @@
 #include <osgEnvLight/AreaLight>
 
 #include <osg/GLObjects>
+#include <osg/LightSource>
 #include <osgViewer/CompositeViewer>
 
 #include <gtest/gtest.h>
@@ -34,6 +35,12 @@ osg::ref_ptr<LitScene> makeSunny()
     const osg::ref_ptr<osgEnvLight::AreaLight> lamp = new osgEnvLight::AreaLight;
     lamp->setSphere(osg::Vec3d(-1, -1, 1.5), 0.2);
     lit->addChild(lamp);
+    lit->getSettings()->sceneLightMapSize = 32;
+    const osg::ref_ptr<osg::LightSource> light = new osg::LightSource;
+    light->getLight()->setLightNum(1);
+    light->getLight()->setPosition(osg::Vec4(1, -1, 2, 1));
+    lit->addChild(light);
+    lit->getOrCreateStateSet()->setMode(GL_LIGHT1, osg::StateAttribute::ON);
     return lit;
 }
 

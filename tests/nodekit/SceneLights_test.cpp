@@ -186,7 +186,7 @@ TEST_F(SceneLights, ABlockedLightIsDark)
             makeLight(1, directional ? osg::Vec4(osg::Vec3(sun), 0) : osg::Vec4(osg::Vec3(lamp), 1));
         light->getLight()->setDirection(osg::Vec3(axis));
         light->getLight()->setSpotCutoff(float(cutoffs[kind]));
-        root->insertChild(0, light);
+        root->insertChild(kind % 2 ? 1 : 0, light);  // after the node in the graph, and before
         const Picture p = render();
         int dark = 0, bright = 0;
         for (int x = 1; x < size; ++x)
@@ -210,6 +210,48 @@ TEST_F(SceneLights, ABlockedLightIsDark)
         EXPECT_EQ("off, sceneLightShadows is off", mapsReason(*lit));
         lit->getSettings()->sceneLightShadows = true;
         root->removeChild(light);
+    }
+}
+
+TEST_F(SceneLights, AShadowFollowsTheLightAndTheCaster)
+{
+    lit->getSettings()->regeneration = Settings::IMMEDIATE;
+    const osg::ref_ptr<osg::MatrixTransform> ball = new osg::MatrixTransform, lamp = new osg::MatrixTransform;
+    ball->addChild(makeSphere(osg::Vec3d(0.5, -1.0, -0.1), 0.3, 32));
+    lamp->addChild(makeLight(1, osg::Vec4(1.6f, -2.4f, 0.2f, 1)));
+    lit->addChild(ball);
+    lit->addChild(lamp);
+    const osg::Matrix elsewhere = osg::Matrix::translate(-0.4, 0.2, 0.3);
+    const Picture first = render();
+    ball->setMatrix(elsewhere);
+    const Picture ballMoved = render();
+    lamp->setMatrix(elsewhere);
+    const Picture bothMoved = render();
+    lit->getSettings()->sceneLightMapSize = 256;  // all maps anew
+    render();
+    lit->getSettings()->sceneLightMapSize = 512;
+    EXPECT_LE(largestDifference(bothMoved, render()), exact);  // their origin is another
+    ball->setMatrix(osg::Matrix());
+    lamp->setMatrix(osg::Matrix());
+    EXPECT_EQ(first.rgba, render().rgba);
+    EXPECT_FALSE(first.rgba == ballMoved.rgba);
+    EXPECT_FALSE(ballMoved.rgba == bothMoved.rgba);
+}
+
+TEST_F(SceneLights, AddedAndRemovedLeaveMemoryAsItWas)
+{
+    lit->addChild(makeSphere(osg::Vec3d(0.5, -1.0, -0.1), 0.3, 32));
+    render();
+    const size_t before = lit->textureBytes();
+    for (int i = 0; i < 20; ++i) {
+        const osg::ref_ptr<osg::LightSource> light = makeLight(1 + i % 7, osg::Vec4(1.6f, -2.4f, 0.2f, float(i % 3 > 0)));
+        if (i % 3 == 1) light->getLight()->setSpotCutoff(30.0f);
+        lit->addChild(light);
+        render();
+        EXPECT_GT(lit->textureBytes(), before);
+        lit->removeChild(light);
+        render();
+        EXPECT_EQ(before, lit->textureBytes()) << i;
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include <osgEnvLight/AreaLight>
 
+#include <osg/LightSource>
 #include <osg/MatrixTransform>
 #include <osg/ShapeDrawable>
 #include <osgViewer/CompositeViewer>
@@ -96,6 +97,16 @@ osg::ref_ptr<osg::Image> run(osgViewer::ViewerBase::ThreadingModel model, bool t
     lit->getSettings()->areaMapSize = 32;
     const osg::ref_ptr<osgEnvLight::AreaLight> lamp = new osgEnvLight::AreaLight;
     lit->addChild(lamp);
+    lit->getSettings()->sceneLightMapSize = 32;
+    const osg::ref_ptr<osg::LightSource> spot = new osg::LightSource;
+    spot->getLight()->setLightNum(1);
+    spot->getLight()->setPosition(osg::Vec4(0, 0, 3, 1));
+    spot->getLight()->setDirection(osg::Vec3(0, 0, -1));
+    spot->getLight()->setSpotCutoff(40.0f);
+    const osg::ref_ptr<osg::MatrixTransform> hanging = new osg::MatrixTransform;
+    hanging->addChild(spot);
+    lit->addChild(hanging);
+    lit->getOrCreateStateSet()->setMode(GL_LIGHT1, osg::StateAttribute::ON);
     lit->getSettings()->regeneration = Settings::BACKGROUND;  // all maps anew in each of these frames would take hours
     osg::ref_ptr<osg::Group> root = new osg::Group;
     root->addChild(lit);
@@ -115,6 +126,7 @@ osg::ref_ptr<osg::Image> run(osgViewer::ViewerBase::ThreadingModel model, bool t
         lit->getEnvironmentMap()->setIntensity(0.5 + 0.02 * (i % 40));
         lit->getEnvironmentMap()->setRotation(3.0 * (i % 40));
         lamp->setSphere(osg::Vec3d(std::cos(0.1 * i), std::sin(0.1 * i), 1.5), 0.1 + 0.002 * (i % 40));
+        hanging->setMatrix(osg::Matrix::rotate(0.02 * i, osg::Vec3d(1, 0, 0)));
         if (resize && i >= 10 && i < 30) b.view->getCamera()->setViewport(128, 0, 128 - i, 64 + i);
         if (resize && i == 30) b.view->getCamera()->setViewport(128, 0, 128, 128);
         viewer.frame(0.1 * i);
