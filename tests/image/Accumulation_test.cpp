@@ -179,9 +179,37 @@ TEST(Accumulation, WhateverChangesBeginsAnew)
     framesAfter("its colour", [&] { paint->setDiffuse(osg::Material::FRONT_AND_BACK, osg::Vec4(1, 0, 0, 1)); });
     framesAfter("the map turns", [&] { lit->getEnvironmentMap()->setRotation(20.0); });
     framesAfter("the intensity", [&] { lit->getEnvironmentMap()->setIntensity(2.0); });
-    framesAfter("a setting", [&] { lit->getSettings()->exposure = 1.0f; });
+    framesAfter("a setting", [&] { lit->getSettings()->nearRadius = 0.1f; });
+    framesAfter("what exposure is added to", [&] { lit->getSettings()->exposureBase = Settings::EXPOSURE_NONE; });
     framesAfter("the scene", [&] { lit->removeChild(mover); });
     framesAfter("its GPU objects are gone", [&] { lit->releaseGLObjects(&renderer.state()); });
+}
+
+// The average is of radiance: another exposure shows the same one, as a view has it that had it from the start.
+TEST(Accumulation, GoesOnWhenOnlyWhatIsShownChanges)
+{
+    const auto picture = [](bool late, bool converged) {
+        SceneRenderer renderer(48, 48);
+        osg::ref_ptr<LitScene> lit = stillScene(lopsidedMap(osg::Vec3d(0.3, 0.4, 0.5), osg::Vec3d(6.0, 5.0, 4.0)).get());
+        lit->getSettings()->output = Settings::DISPLAY;
+        lit->getSettings()->accumulateFrames = converged ? 5 : 100;
+        addPost(*lit);
+        lookAtPost(renderer);
+        const auto change = [&] {
+            lit->getSettings()->exposure = 1.5f;
+            lit->getSettings()->toneCurve = Settings::REINHARD;
+            lit->getSettings()->dither = false;
+        };
+        if (!late) change();
+        renderer.render(lit, 12);
+        const unsigned frames = lit->average().frames;
+        if (late) change();
+        const Picture p = renderer.render(lit, 4);
+        EXPECT_EQ(converged ? 5u : frames + 4, lit->average().frames);
+        return p;
+    };
+    for (const bool converged : {false, true})
+        EXPECT_EQ(picture(false, converged).rgba, picture(true, converged).rgba) << converged;
 }
 
 TEST(Accumulation, RestsWhenItHasAllFrames)

@@ -18,15 +18,15 @@ std::vector<SettingsProperty> OutputSettings::properties()
         choice("exposureBase", &S::exposureBase, {"map", "none"},
                "what exposure adds to: stops that show a white surface at .63 in the middle between the map's mean and greatest "
                "irradiance, or 0"),
-        uniform(real("exposure", &S::exposure, -32, 32, "stops",
-                     "added to exposureBase; radiance is multiplied by 2 to this power before the tone curve")),
-        uniform(choice(
+        shown(uniform(real("exposure", &S::exposure, -32, 32, "stops",
+                           "added to exposureBase; radiance is multiplied by 2 to this power before the tone curve"))),
+        shown(uniform(choice(
             "toneCurve", &S::toneCurve, {"clip", "reinhard", "neutral", "shoulder"},
             "from radiance to the display's range: none, Reinhard 2002, Khronos PBR Neutral, or that with only its highlights "
-            "bent")),
+            "bent"))),
         choice("antialias", &S::antialias, {"off", "edges"},
                "smooth the staircases of edges in what is shown on a display; a still view's average (accumulate) has none"),
-        uniform(onOff("dither", &S::dither, "ordered dither of half an 8-bit step against bands")),
+        shown(uniform(onOff("dither", &S::dither, "ordered dither of half an 8-bit step against bands"))),
     };
 }
 

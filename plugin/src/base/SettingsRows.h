@@ -42,6 +42,13 @@ inline SettingsProperty uniform(SettingsProperty property)
     return property;
 }
 
+/** From which only follows how light is shown. */
+inline SettingsProperty shown(SettingsProperty property)
+{
+    property.shown = true;
+    return property;
+}
+
 }  // namespace rows
 
 }  // namespace osgEnvLight

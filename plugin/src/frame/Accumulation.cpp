@@ -130,6 +130,14 @@ class SurfaceMixer
     std::unordered_map<const osg::StateSet*, uint64_t> _states;
 };
 
+bool sameLight(const Settings* a, const Settings* b)
+{
+    if (a == b || !a || !b) return a == b;
+    const std::vector<Settings::Property>& table = Settings::table();
+    return std::all_of(table.begin(), table.end(),
+                       [&](const Settings::Property& p) { return p.shown || p.get(*a) == p.get(*b); });
+}
+
 }  // namespace
 
 // Column 2 alone has near and far.
@@ -144,8 +152,9 @@ bool sameProjection(const osg::Matrixd& a, const osg::Matrixd& b)
 bool Accumulation::Key::operator==(const Key& o) const
 {
     return view == o.view && sameProjection(projection, o.projection) && mapFromWorld == o.mapFromWorld &&
-           radianceScale == o.radianceScale && settings == o.settings && background == o.background && lights == o.lights &&
-           areaLights == o.areaLights && textures == o.textures && viewport == o.viewport && surfaces == o.surfaces;
+           radianceScale == o.radianceScale && sameLight(settings.get(), o.settings.get()) && background == o.background &&
+           lights == o.lights && areaLights == o.areaLights && textures == o.textures && viewport == o.viewport &&
+           surfaces == o.surfaces;
 }
 
 void Accumulation::advance(const Key& key, bool still, const RadianceMap& map)
