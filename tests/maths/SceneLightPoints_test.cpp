@@ -91,6 +91,40 @@ TEST(SceneLightPoints, ADirectionalLightSeesAllCastersFromAfar)
     }
 }
 
+// As single precision before the eye does; what has moved by a thousandth of the casters' extent has moved.
+TEST(SceneLightPoints, AViewThatMovesRoundsThem)
+{
+    const osg::Vec3d place(3.1, -2.7, 8.3), to(0.36, -0.48, 0.8), cone(0.1, 0.7, -0.4);
+    const auto seenFrom = [&](const osg::Matrixd& worldFromEye, const osg::Vec3d& shift) {
+        const osg::Matrixd eyeFromWorld = osg::Matrixd::inverse(worldFromEye);
+        const osg::Vec3f lamp(osg::Vec3d(place + shift) * eyeFromWorld);
+        osg::Vec3d direction = osg::Matrixd::transform3x3(osg::Vec3d(to + shift * 0.1), eyeFromWorld);
+        direction.normalize();
+        osg::Vec3d axis = osg::Matrixd::transform3x3(cone, eyeFromWorld);
+        axis.normalize();
+        SceneLight point = lightAt(osg::Vec4f(lamp, 1)), spot = lightAt(osg::Vec4f(lamp, 1), 30.0),
+                   sun = lightAt(osg::Vec4f(osg::Vec3f(direction), 0));
+        point.number = 0;
+        sun.number = 1;
+        spot.spot = osg::Vec4f(osg::Vec3f(axis), spot.spot[3]);
+        SceneLightFaces faces;
+        return osgEnvLight::sceneLightPoints({point, sun, spot}, worldFromEye, casters, faces);
+    };
+    const double extent = (casters._max - casters._min).length();
+    const std::vector<EmitterPoint> first = seenFrom(osg::Matrixd::translate(0, -20, 5), osg::Vec3d());
+    ASSERT_EQ(8u, first.size());
+    testmaths::Random random(7);
+    for (int i = 0; i < 500; ++i) {
+        const glsl::vec3 axis = random.direction(), shift = random.direction();
+        const osg::Vec3d eye(shift.x * 200.0, shift.y * 30.0, shift.z * 5.0);
+        const osg::Matrixd view =
+            osg::Matrixd::rotate(random.uniform(0.0, 6.0), axis.x, axis.y, axis.z) * osg::Matrixd::translate(eye);
+        EXPECT_TRUE(osgEnvLight::areRounded(seenFrom(view, osg::Vec3d()), first, casters, eye)) << i;
+        const osg::Vec3d far(shift.y * 1e-3 * extent, shift.z * 1e-3 * extent, shift.x * 1e-3 * extent);
+        EXPECT_FALSE(osgEnvLight::areRounded(seenFrom(view, far), first, casters, eye)) << i;
+    }
+}
+
 TEST(SceneLightPoints, TheViewsOwnLightHasNone)
 {
     SceneLight head = lightAt(osg::Vec4f(0, 0, 1, 0)), lamp = lightAt(osg::Vec4f(0, 0, 0, 1), 30.0);

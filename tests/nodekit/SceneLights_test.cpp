@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace SceneLights_test
 {
@@ -209,6 +210,20 @@ TEST_F(SceneLights, ABlockedLightIsDark)
         EXPECT_FALSE(render().rgba == p.rgba);
         EXPECT_EQ("off, sceneLightShadows is off", mapsReason(*lit));
         lit->getSettings()->sceneLightShadows = true;
+        root->removeChild(light);
+    }
+}
+
+TEST_F(SceneLights, ThoseThatAreNowhereAreLeftOut)
+{
+    const float nan = std::numeric_limits<float>::quiet_NaN(), huge = std::numeric_limits<float>::infinity();
+    for (const osg::Vec4& position : {osg::Vec4(nan, 0, 0, 1), osg::Vec4(0, -huge, 0, 1), osg::Vec4(0, nan, 0, 0),
+                                      osg::Vec4(0, 0, 0, 0), osg::Vec4(0, -2, 0, nan)}) {
+        const osg::ref_ptr<osg::LightSource> light = makeLight(1, position);
+        root->insertChild(0, light);
+        const Picture p = render();
+        EXPECT_TRUE(p.finite()) << position[0] << " " << position[1];
+        EXPECT_EQ(0.0, p.color(32, 32)[0]) << position[0] << " " << position[1];
         root->removeChild(light);
     }
 }

@@ -22,16 +22,6 @@ Requirement requireSceneLights(const FrameContext& c)
     return lights.unless(count == 0, "no light is switched on");
 }
 
-// As they were where only the view has moved: its matrix has rounded them.
-bool isRounded(const std::vector<EmitterPoint>& points, const std::vector<EmitterPoint>& former, double extent)
-{
-    const auto same = [extent](const EmitterPoint& a, const EmitterPoint& b) {
-        return (a.position - b.position).length() <= 1e-6 * extent && (a.normal - b.normal).length() <= 1e-6 &&
-               a.power == b.power && a.tangent == b.tangent;
-    };
-    return std::equal(points.begin(), points.end(), former.begin(), former.end(), same);
-}
-
 }  // namespace
 
 Requirement SceneLightMapsPass::require(const FrameContext& c) const
@@ -50,8 +40,7 @@ void SceneLightMapsPass::update(FrameContext& c)
     const osg::BoundingBoxd box = boundOf(c.casters);
     SceneLightFaces faces;
     std::vector<EmitterPoint> points = sceneLightPoints(c.lights, c.worldFromEye, box, faces);
-    const double distance = std::max(diagonal(box), 1e-300);
-    if (!isRounded(points, _points, distance)) _points = std::move(points);
+    if (!areRounded(points, _points, box, c.worldFromEye.getTrans())) _points = std::move(points);
     c.sceneLightMaps = &_maps.update(c, _points, unsigned(c.settings.sceneLightMapSize));
     c.sceneLightPoints = _maps.points();
     c.frame.sceneLights.faces = faces;

@@ -70,4 +70,16 @@ std::vector<EmitterPoint> sceneLightPoints(const SceneLightList& lights, const o
     return points;
 }
 
+bool areRounded(const std::vector<EmitterPoint>& points, const std::vector<EmitterPoint>& former,
+                const osg::BoundingBoxd& casters, const osg::Vec3d& eye)
+{
+    const double share = 1e-6;  // floats before the eye have 6e-8 of their distance
+    const double extent = (casters._max - casters._min).length();
+    const auto same = [&](const EmitterPoint& a, const EmitterPoint& b) {
+        return (a.position - b.position).length() <= share * (extent + (a.position - eye).length()) &&
+               (a.normal - b.normal).length() <= share && a.power == b.power && a.tangent == b.tangent;
+    };
+    return std::equal(points.begin(), points.end(), former.begin(), former.end(), same);
+}
+
 }  // namespace osgEnvLight

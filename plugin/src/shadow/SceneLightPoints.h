@@ -14,7 +14,12 @@ namespace osgEnvLight
  * from a hundred times as far off as the casters are wide. The lights of the view have none: what they light is what it sees.
  * @param casters  box of what casts shadows, in the world
  * @param faces    receives which maps are whose */
-std::vector<EmitterPoint> sceneLightPoints(const SceneLightList& lights, const osg::Matrixd& worldFromEye,
-                                           const osg::BoundingBoxd& casters, SceneLightFaces& faces);
+OSGENVLIGHT_EXPORT std::vector<EmitterPoint> sceneLightPoints(const SceneLightList& lights, const osg::Matrixd& worldFromEye,
+                                                              const osg::BoundingBoxd& casters, SceneLightFaces& faces);
+
+/** Whether these differ from former ones by no more than what lights are rounded to on their way to a view and back: then only
+ * the view has moved. */
+OSGENVLIGHT_EXPORT bool areRounded(const std::vector<EmitterPoint>& points, const std::vector<EmitterPoint>& former,
+                                   const osg::BoundingBoxd& casters, const osg::Vec3d& eye);
 
 }  // namespace osgEnvLight

@@ -51,6 +51,16 @@ SceneLight convert(const osg::Light& light, const osg::Matrixd& toEye)
     return s;
 }
 
+// Not at a place or in a direction that is no number, nor in none.
+bool isSomewhere(const SceneLight& light)
+{
+    const osg::Vec3f place(light.position[0], light.position[1], light.position[2]);
+    const osg::Vec3f axis(light.spot[0], light.spot[1], light.spot[2]);
+    const bool hasCone = light.spot[3] >= -1.0f;
+    return std::isfinite(place.length2()) && (light.position[3] > 0.0f || place.length2() > 0.0f) &&
+           (!hasCone || std::isfinite(axis.length2()));
+}
+
 // Modes of the eight lights as they stand after a path of state sets.
 using Modes = std::array<SurfaceState::Mode, SceneLightUniforms::maximum>;
 
@@ -114,7 +124,7 @@ SceneLightList findSceneLights(osgUtil::RenderStage& stage, const osg::View* vie
     add(*stage.getPositionalStateContainer(), osg::Matrixd());
     SceneLightList lights;
     for (const auto& [number, light] : byNumber)
-        if (light.color != osg::Vec3f()) lights.push_back(light);
+        if (light.color != osg::Vec3f() && isSomewhere(light)) lights.push_back(light);
     return lights;
 }
 
