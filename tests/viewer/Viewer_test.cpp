@@ -230,6 +230,7 @@ TEST_F(Viewer, ASliderOfThePanelIsOneStepToUndo)
     for (int y = 10; turned == 0.0 && y < 120; y += 12) {  // until it is found
         viewer->drag("", 200, y, 240, y);
         viewer->act({"mousemove", "60", "120"});
+        viewer->stillScreen();  // the panel takes its events one a frame, and the key that asks comes at once
         turned = rotation(*viewer);
     }
     EXPECT_NE(0.0, turned);
