@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "passes/MapRefresh.h"
 
-#include "gl/BindTargets.h"
 #include "gl/TargetTexture.h"
 
 #include <osg/ColorMask>
@@ -81,93 +80,48 @@ void retire(const ShadowTargets& targets, RetiredObjects& retired)
 
 ShadowAtlas& AtlasOwner::make(unsigned lights, unsigned size)
 {
-    if (_maps && _maps->lights == lights && _maps->size == size) return *_maps;
-    drop();
-    _maps = new ShadowAtlas(lights, size);
-    _camera = new StageCamera;
-    BindTargets::install(*_camera, _maps->targets().maps, _failure.get());
-    return *_maps;
-}
-
-void AtlasOwner::drop()
-{
-    if (_maps) retire(_maps->targets(), *_retired);
-    _maps = nullptr;
-    _camera = nullptr;
-    _refreshes.clear();
+    const ShadowAtlas* maps = get();
+    return maps && maps->lights == lights && maps->size == size ? *get() : replace(new ShadowAtlas(lights, size));
 }
 
 unsigned AtlasOwner::update(const FrameContext& c, const LightList& list, unsigned budget)
 {
     LightList lights = c.inWorld(list);
-    lights.resize(_maps->lights, DirectionalLight{osg::Vec3d(0, 0, 1), osg::Vec3d()});  // dark ones
-    _refreshes = _maps->update(lights, budget);
-    return unsigned(_refreshes.size());
+    lights.resize(get()->lights, DirectionalLight{osg::Vec3d(0, 0, 1), osg::Vec3d()});  // dark ones
+    refreshes = get()->update(lights, budget);
+    return unsigned(refreshes.size());
 }
 
 void AtlasOwner::draw(PassBuilder& b, FrameContext& c, const char* pass, const std::string& name)
 {
-    if (_maps && !_refreshes.empty())
-        drawMaps(b, c, pass, name, "pass/midpoint.frag", *_camera, _maps->targets(), _refreshes, _maps->drawn());
-    _refreshes.clear();
-}
-
-void AtlasOwner::resizeGLObjectBuffers(unsigned maximum)
-{
-    if (_maps) _maps->resizeGLObjectBuffers(maximum);
-}
-
-void AtlasOwner::releaseGLObjects(osg::State* state) const
-{
-    if (_maps) _maps->releaseGLObjects(state);
-}
-
-EmitterMaps& EmitterMapsOwner::make(unsigned points, unsigned size)
-{
-    if (_maps && _maps->points == points && _maps->size == size) return *_maps;
-    drop();
-    _maps = new EmitterMaps(points, size);
-    _camera = new StageCamera;
-    BindTargets::install(*_camera, _maps->targets().maps, _failure.get());
-    return *_maps;
-}
-
-void EmitterMapsOwner::drop()
-{
-    if (_maps) retire(_maps->targets(), *_retired);
-    _maps = nullptr;
-    _camera = nullptr;
-    _points = nullptr;
-    _refreshes.clear();
+    MapsOwner::draw(b, c, pass, name, "pass/midpoint.frag", [this] { return get()->drawn(); });
 }
 
 EmitterMaps& EmitterMapsOwner::update(FrameContext& c, const std::vector<EmitterPoint>& points, unsigned size)
 {
-    EmitterMaps& maps = make(unsigned(points.size()), size);
+    if (!get() || get()->points != points.size() || get()->size != size) {
+        drop();
+        replace(new EmitterMaps(unsigned(points.size()), size));
+    }
+    EmitterMaps& maps = *get();
     maps.setCasters(c.casters);
     const bool all = drawsAllAtOnce(c.settings, maps.points, maps.version() != 0, maps.triangles());
-    _refreshes = maps.update(points, all ? maps.points : unsigned(c.settings.atlasUpdatesPerFrame));
+    refreshes = maps.update(points, all ? maps.points : unsigned(c.settings.atlasUpdatesPerFrame));
     if (!_points || _pointVersion != maps.version()) _points = tableTexture(maps.pointImage());
     _pointVersion = maps.version();
     c.waitingMaps += maps.waiting();
     return maps;
 }
 
+void EmitterMapsOwner::drop()
+{
+    MapsOwner::drop();
+    _points = nullptr;
+}
+
 void EmitterMapsOwner::draw(PassBuilder& b, FrameContext& c, const char* pass)
 {
-    if (_maps && !_refreshes.empty())
-        drawMaps(b, c, pass, pass, "pass/emittermap.frag", *_camera, _maps->targets(), _refreshes, _maps->drawn());
-    _refreshes.clear();
-}
-
-void EmitterMapsOwner::resizeGLObjectBuffers(unsigned maximum)
-{
-    if (_maps) _maps->resizeGLObjectBuffers(maximum);
-}
-
-void EmitterMapsOwner::releaseGLObjects(osg::State* state) const
-{
-    if (_maps) _maps->releaseGLObjects(state);
+    MapsOwner::draw(b, c, pass, pass, "pass/emittermap.frag", [this] { return get()->drawn(); });
 }
 
 }  // namespace osgEnvLight

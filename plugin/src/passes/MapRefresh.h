@@ -5,9 +5,12 @@
 #include "frame/FrameContext.h"
 #include "frame/PassBuilder.h"
 #include "frame/Requirement.h"
+#include "frame/StageCamera.h"
+#include "gl/BindTargets.h"
 #include "gl/RetiredObjects.h"
 #include "shadow/EmitterMaps.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -33,64 +36,92 @@ Requirement requireEmitterMaps(const FrameContext& context, Requirement lights);
 /** A draw may still use them. */
 void retire(const ShadowTargets& targets, RetiredObjects& retired);
 
-/** The shadow atlas of a pass, and what it takes to replace it while a draw may still use it. */
-class OSGENVLIGHT_EXPORT AtlasOwner
+/** Shadow maps of a pass, and what it takes to replace them while a draw may still use them.
+ * @tparam Maps  ShadowAtlas, EmitterMaps or SunShadows */
+template <class Maps>
+class MapsOwner
 {
   public:
-    AtlasOwner(Failure* failure, RetiredObjects* retired) : _failure(failure), _retired(retired) {}
-    ~AtlasOwner() { drop(); }
+    MapsOwner(Failure* failure, RetiredObjects* retired) : _failure(failure), _retired(retired) {}
+    ~MapsOwner() { drop(); }
+
+    /** Null: there are none. */
+    Maps* get() const { return _maps.get(); }
+    /** These take the place of those there are. */
+    Maps& replace(Maps* maps)
+    {
+        drop();
+        _maps = maps;
+        _camera = new StageCamera;
+        BindTargets::install(*_camera, maps->targets().maps, _failure.get());
+        return *maps;
+    }
+    void drop()
+    {
+        if (_maps) retire(_maps->targets(), *_retired);
+        _maps = nullptr;
+        _camera = nullptr;
+        refreshes.clear();
+    }
+
+    std::vector<ShadowRefresh> refreshes;  // set in update()
+
+    /** In setup(): draw them, if there are any. */
+    void draw(PassBuilder& builder, FrameContext& context, const char* pass, const std::string& name, const char* shader,
+              const std::function<std::vector<Caster>()>& casters)
+    {
+        if (!refreshes.empty()) drawMaps(builder, context, pass, name, shader, *_camera, _maps->targets(), refreshes, casters());
+        refreshes.clear();
+    }
+
+    size_t bytes() const { return _maps ? _maps->bytes() : 0; }
+    void resizeGLObjectBuffers(unsigned maximum)
+    {
+        if (_maps) _maps->resizeGLObjectBuffers(maximum);
+    }
+    void releaseGLObjects(osg::State* state) const
+    {
+        if (_maps) _maps->releaseGLObjects(state);
+    }
+
+  private:
+    const osg::ref_ptr<Failure> _failure;
+    const osg::ref_ptr<RetiredObjects> _retired;
+    osg::ref_ptr<Maps> _maps;
+    osg::ref_ptr<osg::Camera> _camera;
+};
+
+/** Those of the sky's lights. */
+class OSGENVLIGHT_EXPORT AtlasOwner : public MapsOwner<ShadowAtlas>
+{
+  public:
+    using MapsOwner::MapsOwner;
 
     /** Made anew where the counts differ. */
     ShadowAtlas& make(unsigned lights, unsigned size);
-    void drop();
-
     /** In update(): choose maps to be drawn in this frame, of lights in the map's frame. How many.
      * @param budget  at most */
     unsigned update(const FrameContext& context, const LightList& list, unsigned budget);
     /** In setup(): draw them. */
     void draw(PassBuilder& builder, FrameContext& context, const char* pass, const std::string& name);
-
-    size_t bytes() const { return _maps ? _maps->bytes() : 0; }
-    void resizeGLObjectBuffers(unsigned maximum);
-    void releaseGLObjects(osg::State* state) const;
-
-  private:
-    const osg::ref_ptr<Failure> _failure;
-    const osg::ref_ptr<RetiredObjects> _retired;
-    osg::ref_ptr<ShadowAtlas> _maps;
-    osg::ref_ptr<osg::Camera> _camera;
-    std::vector<ShadowRefresh> _refreshes;
 };
 
-/** The same of maps of points of lights, with the table that says where they stand. */
-class OSGENVLIGHT_EXPORT EmitterMapsOwner
+/** Those of points of lights, with the table that says where they stand. */
+class OSGENVLIGHT_EXPORT EmitterMapsOwner : public MapsOwner<EmitterMaps>
 {
   public:
-    EmitterMapsOwner(Failure* failure, RetiredObjects* retired) : _failure(failure), _retired(retired) {}
-    ~EmitterMapsOwner() { drop(); }
+    using MapsOwner::MapsOwner;
 
     /** In update(): choose maps to be drawn in this frame. Made anew where the counts differ.
      * @param size  of a map's side [texels] */
     EmitterMaps& update(FrameContext& context, const std::vector<EmitterPoint>& points, unsigned size);
+    void drop();
     /** EmitterMaps::pointImage() of update(). */
     osg::Texture2D* points() const { return _points.get(); }
-    void drop();
-
     /** In setup(): draw them. */
     void draw(PassBuilder& builder, FrameContext& context, const char* pass);
 
-    size_t bytes() const { return _maps ? _maps->bytes() : 0; }
-    void resizeGLObjectBuffers(unsigned maximum);
-    void releaseGLObjects(osg::State* state) const;
-
   private:
-    EmitterMaps& make(unsigned points, unsigned size);
-
-    const osg::ref_ptr<Failure> _failure;
-    const osg::ref_ptr<RetiredObjects> _retired;
-    osg::ref_ptr<EmitterMaps> _maps;
-    osg::ref_ptr<osg::Camera> _camera;
-    std::vector<ShadowRefresh> _refreshes;
     osg::ref_ptr<osg::Texture2D> _points;  // at which version
     unsigned _pointVersion = 0;
 };

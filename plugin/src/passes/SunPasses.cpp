@@ -2,7 +2,6 @@
 #include "passes/SunPasses.h"
 
 #include "base/Limits.h"
-#include "gl/BindTargets.h"
 #include "passes/Inputs.h"
 #include "shadow/VisibleBoxes.h"
 
@@ -62,22 +61,11 @@ Requirement SunMaps::require(const FrameContext& c) const
 
 SunShadows& SunMaps::make(unsigned suns, unsigned levels, unsigned size)
 {
-    if (_maps && _maps->suns == suns) levels = std::max(levels, _maps->levels);  // those once there stay
+    SunShadows* maps = _maps.get();
+    if (maps && maps->suns == suns) levels = std::max(levels, maps->levels);  // those once there stay
     size = SunShadows::sizeOf(suns * levels, size);
-    if (_maps && _maps->suns == suns && _maps->levels == levels && _maps->size == size) return *_maps;
-    drop();
-    _maps = new SunShadows(suns, levels, size);
-    _camera = new StageCamera;
-    BindTargets::install(*_camera, _maps->targets().maps, _failure.get());
-    return *_maps;
-}
-
-void SunMaps::drop()
-{
-    if (_maps) retire(_maps->targets(), *_retired);
-    _maps = nullptr;
-    _camera = nullptr;
-    _refreshes.clear();
+    if (maps && maps->suns == suns && maps->levels == levels && maps->size == size) return *maps;
+    return _maps.replace(new SunShadows(suns, levels, size));
 }
 
 void SunMaps::update(FrameContext& c)
@@ -88,34 +76,20 @@ void SunMaps::update(FrameContext& c)
         const VisibleBoxes boxes(c.casters, view);
         const unsigned levels = SunShadows::wantedLevels(boundOf(c.casters), view, boxes, size);
         SunShadows& shadows = make(c.facts.suns.count, levels, size);
-        _refreshes = shadows.update(c.casters, c.inWorld(c.textures->suns()), view, boxes);
-        c.drawnSunMaps = unsigned(_refreshes.size());
+        _maps.refreshes = shadows.update(c.casters, c.inWorld(c.textures->suns()), view, boxes);
+        c.drawnSunMaps = unsigned(_maps.refreshes.size());
     }
     c.sunMaps = _maps.get();
 }
 
 void SunMaps::setup(PassBuilder& b, FrameContext& c)
 {
-    if (!_refreshes.empty()) {
-        auto casters = std::vector<Caster>(_maps->casters());
-        drawMaps(b, c, name(), name(), "pass/sunmap.frag", *_camera, _maps->targets(), _refreshes, std::move(casters));
-    }
-    _refreshes.clear();
+    _maps.draw(b, c, name(), name(), "pass/sunmap.frag", [this] { return _maps.get()->casters(); });
 }
 
 void SunMaps::dismiss(FrameContext& c)
 {
-    if (!(c.showsNothing && Decisions::wantsSunMaps(c.settings))) drop();
-}
-
-void SunMaps::resizeGLObjectBuffers(unsigned maximum)
-{
-    if (_maps) _maps->resizeGLObjectBuffers(maximum);
-}
-
-void SunMaps::releaseGLObjects(osg::State* state) const
-{
-    if (_maps) _maps->releaseGLObjects(state);
+    if (!(c.showsNothing && Decisions::wantsSunMaps(c.settings))) _maps.drop();
 }
 
 Requirement SunShadowPass::require(const FrameContext& c) const

@@ -20,29 +20,21 @@ class OSGENVLIGHT_EXPORT Suns : public RenderPass
 class OSGENVLIGHT_EXPORT SunMaps : public RenderPass
 {
   public:
-    SunMaps(Failure* failure, RetiredObjects* retired) : _failure(failure), _retired(retired) {}
+    SunMaps(Failure* failure, RetiredObjects* retired) : _maps(failure, retired) {}
 
     const char* name() const override { return "sunmap"; }
     Requirement require(const FrameContext& context) const override;
     void update(FrameContext& context) override;
     void setup(PassBuilder& builder, FrameContext& context) override;
     void dismiss(FrameContext& context) override;
-    size_t bytes() const override { return _maps ? _maps->bytes() : 0; }
-    void resizeGLObjectBuffers(unsigned maximum) override;
-    void releaseGLObjects(osg::State* state) const override;
-
-  protected:
-    ~SunMaps() override { drop(); }
+    size_t bytes() const override { return _maps.bytes(); }
+    void resizeGLObjectBuffers(unsigned maximum) override { _maps.resizeGLObjectBuffers(maximum); }
+    void releaseGLObjects(osg::State* state) const override { _maps.releaseGLObjects(state); }
 
   private:
     SunShadows& make(unsigned suns, unsigned levels, unsigned size);
-    void drop();
 
-    const osg::ref_ptr<Failure> _failure;
-    const osg::ref_ptr<RetiredObjects> _retired;
-    osg::ref_ptr<SunShadows> _maps;
-    osg::ref_ptr<osg::Camera> _camera;
-    std::vector<ShadowRefresh> _refreshes;
+    MapsOwner<SunShadows> _maps;
 };
 
 /** What each pixel sees of the suns, by one point of each disc. */
