@@ -78,6 +78,7 @@ osg::ref_ptr<osg::Geometry> geometryOf(const Triangles& mesh)
     geometry->setVertexArray(mesh.vertices);
     geometry->setNormalArray(mesh.normals, osg::Array::BIND_PER_VERTEX);
     geometry->addPrimitiveSet(mesh.triangles);
+    geometry->getBound();  // or several culls would compute it at the same time
     return geometry;
 }
 
