@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Lights of osg::LightSource nodes, against closed forms: under a black map they are all there is.
+#include "LampScene.h"
+
 #include <Maths.h>
-#include <SceneRenderer.h>
 
-#include <osgEnvLight/Material>
-
-#include <osg/LightSource>
 #include <osg/MatrixTransform>
 
 #include <gtest/gtest.h>
@@ -17,54 +15,19 @@
 namespace SceneLights_test
 {
 
-using osgEnvLight::LitScene;
-using osgEnvLight::Material;
-using osgEnvLight::Settings;
+using namespace lampscene;
 
 namespace
 {
-
-const int size = 64;
-const double exact = 2e-3;  // half floats, and normals of 16 bits
 
 double decoded(double x)
 {
     return std::pow((x + 0.055) / 1.055, 2.4);  // IEC 61966-2-1
 }
 
-osg::ref_ptr<osg::LightSource> makeLight(int number, const osg::Vec4& position, const osg::Vec4& color = osg::Vec4(1, 1, 1, 1))
-{
-    osg::ref_ptr<osg::LightSource> source = new osg::LightSource;
-    source->getLight()->setLightNum(number);
-    source->getLight()->setPosition(position);
-    source->getLight()->setDiffuse(color);
-    source->getLight()->setAmbient(osg::Vec4(1, 1, 1, 1));  // which does not count
-    return source;
-}
-
-// A quad at y = 0 that fills the view of a camera at (0, -4, 0), facing it.
-osg::ref_ptr<osg::Geode> makeScreen()
-{
-    const osg::ref_ptr<osg::Geode> screen = makeQuad(osg::Vec3d(-3, 0, -3), osg::Vec3d(6, 0, 0), osg::Vec3d(0, 0, 6));
-    Material::setLambert(*screen->getOrCreateStateSet(), osg::Vec3f(1, 1, 1));
-    return screen;
-}
-
-std::string reasonOf(const LitScene& lit, const char* pass)
-{
-    for (const osgEnvLight::PassReport& r : lit.plan().passes)
-        if (r.pass == pass) return (r.runs ? "" : "off, ") + r.reason;
-    return std::string();
-}
-
 std::string lightsReason(const LitScene& lit)
 {
     return reasonOf(lit, "scenelights");
-}
-
-std::string mapsReason(const LitScene& lit)
-{
-    return reasonOf(lit, "scenelightmaps");
 }
 
 // Share of light from direction v that the lobe of f0 = 1 reflects, by quadrature.
@@ -84,30 +47,8 @@ double lobeAlbedo(const glsl::vec3& v, double alpha)
 
 }  // namespace
 
-class SceneLights : public testing::Test
+class SceneLights : public LampScene
 {
-  protected:
-    SceneLights() : lit(makeLit(constantMap(0.0).get())), root(new osg::Group)
-    {
-        root->addChild(lit);
-        lit->addChild(makeScreen());
-        lit->getSettings()->bounce = Settings::BOUNCE_OFF;
-        renderer.lookAt(osg::Vec3d(0, -4, 0), osg::Vec3d(), osg::Vec3d(0, 0, 1), 60.0);
-        for (int i = 1; i < 8; ++i) root->getOrCreateStateSet()->setMode(GLenum(GL_LIGHT0 + i), osg::StateAttribute::ON);
-    }
-
-    Picture render() { return renderer.render(root, 3); }
-
-    // Where the ray of pixel (x, y) meets the screen.
-    osg::Vec3d pointAt(int x, int y) const
-    {
-        const double scale = 4.0 * std::tan(osg::DegreesToRadians(30.0)) * 2.0 / size;
-        return osg::Vec3d((x + 0.5 - size / 2) * scale, 0.0, (y + 0.5 - size / 2) * scale);
-    }
-
-    SceneRenderer renderer{size, size};
-    osg::ref_ptr<LitScene> lit;
-    osg::ref_ptr<osg::Group> root;
 };
 
 TEST_F(SceneLights, ADirectionalLightOnWhiteIsItsColourTimesTheCosine)
@@ -172,102 +113,6 @@ TEST_F(SceneLights, ASpotEndsAtItsCutoff)
         EXPECT_NEAR(p.color(x, 32)[0], angle < 25.0 ? std::pow(-to[1], 4.0) : 0.0, exact) << x;  // exponent 3, and the cosine
     }
     EXPECT_GT(inside, 5);
-}
-
-// A ball between light and screen: the shadow is where the ray to the light meets it. Its edge is three texels of the light's map
-// wide, .02 on the screen, and the ball's facets are .0005 deep.
-TEST_F(SceneLights, ABlockedLightIsDark)
-{
-    const osg::Vec3d ball(0.5, -1.0, -0.1), axis(-0.6, 0.8, 0.0), lamp(1.6, -2.4, 0.2), sun(0.8, -0.9, 0.2);
-    const double radius = 0.4, cutoffs[] = {180.0, 40.0, 80.0, 180.0};
-    lit->addChild(makeSphere(ball, radius, 64));
-    for (int kind = 0; kind < 4; ++kind) {  // point, spot, wide spot, directional
-        const bool directional = kind == 3;
-        const osg::ref_ptr<osg::LightSource> light =
-            makeLight(1, directional ? osg::Vec4(osg::Vec3(sun), 0) : osg::Vec4(osg::Vec3(lamp), 1));
-        light->getLight()->setDirection(osg::Vec3(axis));
-        light->getLight()->setSpotCutoff(float(cutoffs[kind]));
-        root->insertChild(kind % 2 ? 1 : 0, light);  // after the node in the graph, and before
-        const Picture p = render();
-        int dark = 0, bright = 0;
-        for (int x = 1; x < size; ++x)
-            for (int y = 1; y < size; ++y) {
-                const osg::Vec3d on = pointAt(x, y);
-                osg::Vec3d ofEye = osg::Vec3d(0, -4, 0) - on, to = directional ? sun : lamp - on;
-                ofEye.normalize();
-                to.normalize();
-                const double passes = ((ball - on) ^ to).length();
-                const bool isHidden = ((ball - on) ^ ofEye).length() < 1.2 * radius;
-                const bool isOutside = -(to * axis) < std::cos(osg::DegreesToRadians(cutoffs[kind] - 0.5));
-                if (isHidden || isOutside || std::abs(passes - radius) < 0.03) continue;
-                ++(passes < radius ? dark : bright);
-                EXPECT_NEAR(p.color(x, y)[0], passes < radius ? 0.0 : -to[1], exact) << kind << " " << x << " " << y;
-            }
-        EXPECT_GT(dark, 100) << kind;
-        EXPECT_GT(bright, 1000) << kind;
-        EXPECT_TRUE(lit->plan().runs("scenelightmaps"));
-        lit->getSettings()->sceneLightShadows = false;
-        EXPECT_FALSE(render().rgba == p.rgba);
-        EXPECT_EQ("off, sceneLightShadows is off", mapsReason(*lit));
-        lit->getSettings()->sceneLightShadows = true;
-        root->removeChild(light);
-    }
-}
-
-TEST_F(SceneLights, ThoseThatAreNowhereAreLeftOut)
-{
-    const float nan = std::numeric_limits<float>::quiet_NaN(), huge = std::numeric_limits<float>::infinity();
-    for (const osg::Vec4& position : {osg::Vec4(nan, 0, 0, 1), osg::Vec4(0, -huge, 0, 1), osg::Vec4(0, nan, 0, 0),
-                                      osg::Vec4(0, 0, 0, 0), osg::Vec4(0, -2, 0, nan)}) {
-        const osg::ref_ptr<osg::LightSource> light = makeLight(1, position);
-        root->insertChild(0, light);
-        const Picture p = render();
-        EXPECT_TRUE(p.finite()) << position[0] << " " << position[1];
-        EXPECT_EQ(0.0, p.color(32, 32)[0]) << position[0] << " " << position[1];
-        root->removeChild(light);
-    }
-}
-
-TEST_F(SceneLights, AShadowFollowsTheLightAndTheCaster)
-{
-    lit->getSettings()->regeneration = Settings::IMMEDIATE;
-    const osg::ref_ptr<osg::MatrixTransform> ball = new osg::MatrixTransform, lamp = new osg::MatrixTransform;
-    ball->addChild(makeSphere(osg::Vec3d(0.5, -1.0, -0.1), 0.3, 32));
-    lamp->addChild(makeLight(1, osg::Vec4(1.6f, -2.4f, 0.2f, 1)));
-    lit->addChild(ball);
-    lit->addChild(lamp);
-    const osg::Matrix elsewhere = osg::Matrix::translate(-0.4, 0.2, 0.3);
-    const Picture first = render();
-    ball->setMatrix(elsewhere);
-    const Picture ballMoved = render();
-    lamp->setMatrix(elsewhere);
-    const Picture bothMoved = render();
-    lit->getSettings()->sceneLightMapSize = 256;  // all maps anew
-    render();
-    lit->getSettings()->sceneLightMapSize = 512;
-    EXPECT_LE(largestDifference(bothMoved, render()), exact);  // their origin is another
-    ball->setMatrix(osg::Matrix());
-    lamp->setMatrix(osg::Matrix());
-    EXPECT_EQ(first.rgba, render().rgba);
-    EXPECT_FALSE(first.rgba == ballMoved.rgba);
-    EXPECT_FALSE(ballMoved.rgba == bothMoved.rgba);
-}
-
-TEST_F(SceneLights, AddedAndRemovedLeaveMemoryAsItWas)
-{
-    lit->addChild(makeSphere(osg::Vec3d(0.5, -1.0, -0.1), 0.3, 32));
-    render();
-    const size_t before = lit->textureBytes();
-    for (int i = 0; i < 20; ++i) {
-        const osg::ref_ptr<osg::LightSource> light = makeLight(1 + i % 7, osg::Vec4(1.6f, -2.4f, 0.2f, float(i % 3 > 0)));
-        if (i % 3 == 1) light->getLight()->setSpotCutoff(30.0f);
-        lit->addChild(light);
-        render();
-        EXPECT_GT(lit->textureBytes(), before);
-        lit->removeChild(light);
-        render();
-        EXPECT_EQ(before, lit->textureBytes()) << i;
-    }
 }
 
 TEST_F(SceneLights, AMetalsHighlightIsThatOfItsLobe)
