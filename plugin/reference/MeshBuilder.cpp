@@ -2,6 +2,7 @@
 #include "MeshBuilder.h"
 
 #include "Directions.h"
+
 #include <osg/TriangleIndexFunctor>
 
 #include <algorithm>

@@ -22,7 +22,8 @@ void main()
     ivec2 p = ivec2(gl_FragCoord.xy);
     added = vec4(0.0);
     vec3 eye = pixelEye(p);
-    mat3 eyeFromLocal = pixelFrame(p, pixelNormal(p));
+    vec3 n = pixelNormal(p);
+    mat3 eyeFromLocal = pixelFrame(p, n);
     vec3 v = pixelView(p, eyeFromLocal);
     vec3 albedo = pixelAlbedo(p);
     Bsdf b = pixelBsdf(p, v);
@@ -34,20 +35,20 @@ void main()
     PixelCoat coat = pixelCoat(p);
 #endif
 #ifdef HAS_SCENE_LIGHT_MAPS
-    vec3 normal = mat3(atlasFromEye) * pixelNormal(p);
+    vec3 normal = mat3(atlasFromEye) * n;
     // Off the surface by what its depth may be rounded.
     vec3 rounded = depthStep(inverseProjection, pixelNdc(p), texelFetch(depthMap, p, 0).r);
-    vec3 place = vec3(atlasFromEye * vec4(eye, 1.0)) + normal * abs(dot(pixelNormal(p), rounded));
+    vec3 place = vec3(atlasFromEye * vec4(eye, 1.0)) + normal * abs(dot(n, rounded));
 #endif
     for (int i = 0; i < sceneLightCount; ++i) {
         vec3 direction;
         vec3 light = sceneLightAt(i, eye, direction);
         vec3 l = transpose(eyeFromLocal) * direction;
 #ifdef HAS_SCENE_LIGHT_MAPS
-        if (dot(pixelNormal(p), direction) > 0.0) light *= sceneLightSeen(i, place, normal);
+        if (dot(n, direction) > 0.0) light *= sceneLightSeen(i, place, normal);
 #endif
 #ifdef HAS_ROUGH_DIFFUSE
-        vec3 diffuse = pixelDiffuseBrdf(layer, p, pixelNormal(p), direction);
+        vec3 diffuse = pixelDiffuseBrdf(layer, p, n, direction);
 #else
         vec3 diffuse = albedo * b.body;
 #endif

@@ -42,7 +42,7 @@ inline SettingsProperty uniform(SettingsProperty property)
     return property;
 }
 
-/** From which only follows how light is shown. */
+/** That changes only how the picture is shown. */
 inline SettingsProperty shown(SettingsProperty property)
 {
     property.shown = true;

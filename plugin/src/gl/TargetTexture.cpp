@@ -21,6 +21,13 @@ osg::ref_ptr<osg::Texture2D> targetTexture(int width, int height, GLint internal
     return texture;
 }
 
+void writeTexel(osg::Image& image, unsigned column, unsigned row, const osg::Vec3d& rgb, double alpha)
+{
+    float* out = reinterpret_cast<float*>(image.data(column, row));
+    for (int k = 0; k < 3; ++k) out[k] = float(rgb.ptr()[k]);
+    out[3] = float(alpha);
+}
+
 osg::ref_ptr<osg::Texture2D> tableTexture(osg::Image* image)
 {
     const osg::ref_ptr<osg::Texture2D> texture = targetTexture(image->s(), image->t(), GL_RGBA32F_ARB);

@@ -4,7 +4,9 @@
 #include <osgEnvLight/Export>
 
 #include <osg/FrameBufferObject>
+#include <osg/Image>
 #include <osg/Texture2D>
+#include <osg/Vec3d>
 
 namespace osgEnvLight
 {
@@ -12,7 +14,9 @@ namespace osgEnvLight
 /** A texture of exact texels, to draw into or to look up: NEAREST, clamped to its edge, not resized to powers of two. */
 OSGENVLIGHT_EXPORT osg::ref_ptr<osg::Texture2D> targetTexture(int width, int height, GLint internalFormat);
 
-/** A table of floats, RGBA, to look up. */
+/** Write a texel of a table of floats, RGBA. */
+void writeTexel(osg::Image& image, unsigned column, unsigned row, const osg::Vec3d& rgb, double alpha);
+/** Such a table, to look up. */
 OSGENVLIGHT_EXPORT osg::ref_ptr<osg::Texture2D> tableTexture(osg::Image* image);
 
 /** A frame buffer of these; depth may be null. */

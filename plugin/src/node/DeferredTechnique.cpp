@@ -93,7 +93,7 @@ try {
     const bool shows = c.facts.surfaces.deferred + c.facts.surfaces.litForward > 0;
     const bool sendsOn = c.facts.hasLamps() && settings->bounce != Settings::BOUNCE_OFF;
     const bool needsCarrier = settings->diffuse && (!c.facts.mapIsBlack || sendsOn) && shows;
-    const bool hasLamps = !c.areaLights.empty() || (!c.lights.empty() && settings->sceneLightShadows);
+    const bool hasLamps = !c.areaLights.empty() || (settings->sceneLightShadows && castShadows(c.lights));
     const bool hasLampMaps = hasLamps && Decisions::wantsEmitterMaps(*settings);
     if ((needsCarrier && Decisions::wantsAtlas(*settings)) || ((sunny || hasLampMaps) && shows)) {
         CasterCollector collector(cv, c.worldFromEye, vd.casterStates, _facts.get());

@@ -161,11 +161,13 @@ PointsPass::Key PointsPass::keyOf(const FrameContext& c)
     key.sunsVersion = c.sunMaps ? c.sunMaps->version() : 0;
     key.emitters = c.emitterMaps;
     key.emittersVersion = c.emitterMaps ? c.emitterMaps->version() : 0;
-    key.lamps = c.sceneLightMaps;
-    key.lampsVersion = c.sceneLightMaps ? c.sceneLightMaps->version() : 0;
-    for (const SceneLight& light : c.lights) {
-        key.falloffs.push_back(light.falloff);
-        key.cones.push_back(light.spot[3]);
+    if (c.sceneLightMaps) {
+        key.lamps = c.sceneLightMaps;
+        key.lampsVersion = c.sceneLightMaps->version();
+        for (const SceneLight& light : c.lights) {
+            key.falloffs.push_back(light.falloff);
+            key.cones.push_back(light.spot[3]);
+        }
     }
     key.reflectances = c.indirect->reflectances;
     key.mapFromWorld = c.mapFromWorld;

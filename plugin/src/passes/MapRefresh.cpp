@@ -100,8 +100,8 @@ void AtlasOwner::draw(PassBuilder& b, FrameContext& c, const char* pass, const s
 EmitterMaps& EmitterMapsOwner::update(FrameContext& c, const std::vector<EmitterPoint>& points, unsigned size)
 {
     if (!get() || get()->points != points.size() || get()->size != size) {
-        drop();
         replace(new EmitterMaps(unsigned(points.size()), size));
+        _points = nullptr;
     }
     EmitterMaps& maps = *get();
     maps.setCasters(c.casters);

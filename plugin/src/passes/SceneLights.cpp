@@ -4,8 +4,6 @@
 #include "passes/Inputs.h"
 #include "shadow/SceneLightPoints.h"
 
-#include <algorithm>
-
 namespace osgEnvLight
 {
 
@@ -28,8 +26,7 @@ Requirement SceneLightMapsPass::require(const FrameContext& c) const
 {
     Requirement maps = requireSceneLights(c);
     maps.unless(!c.settings.sceneLightShadows, "sceneLightShadows is off");
-    maps.unless(std::all_of(c.lights.begin(), c.lights.end(), [](const SceneLight& l) { return l.ofView; }),
-                "only the viewer's own light");
+    maps.unless(!castShadows(c.lights), "only the viewer's own light");
     const std::string side = std::to_string(c.settings.sceneLightMapSize);
     return requireEmitterMaps(c, maps).because("maps of " + side + " x " + side + " of " + counted(c.facts.casters, "drawable") +
                                                ", from " + counted(c.facts.sceneLights, "light"));

@@ -2,6 +2,7 @@
 #include "shadow/EmitterMaps.h"
 
 #include "base/Limits.h"
+#include "gl/TargetTexture.h"
 
 #include <osg/Math>
 

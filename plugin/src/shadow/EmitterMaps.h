@@ -45,7 +45,7 @@ class OSGENVLIGHT_EXPORT EmitterMaps : public osg::Referenced
     /** Changes whenever pointImage() does; 0 before the first update(). */
     unsigned version() const { return _version; }
 
-    /** Rows of a point, of which each is a column [pass/emitters.glsl]; RGBA 32F. */
+    /** Rows of a point, of which each is a column [pass/pointmap.glsl]; RGBA 32F. */
     osg::ref_ptr<osg::Image> pointImage() const;
 
     const ShadowTargets& targets() const { return _targets; }

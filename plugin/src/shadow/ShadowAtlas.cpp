@@ -3,7 +3,7 @@
 
 #include "base/Limits.h"
 #include "base/R2Points.h"
-
+#include "gl/TargetTexture.h"
 #include "lights/SolidAngles.h"
 
 #include <algorithm>

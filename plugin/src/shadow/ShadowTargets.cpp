@@ -33,11 +33,4 @@ void ShadowTargets::releaseGLObjects(osg::State* state) const
     for (osg::FrameBufferObject* f : frameBuffers()) f->releaseGLObjects(state);
 }
 
-void writeTexel(osg::Image& image, unsigned column, unsigned row, const osg::Vec3d& rgb, double alpha)
-{
-    float* out = reinterpret_cast<float*>(image.data(column, row));
-    for (int k = 0; k < 3; ++k) out[k] = float(rgb.ptr()[k]);
-    out[3] = float(alpha);
-}
-
 }  // namespace osgEnvLight

@@ -4,7 +4,6 @@
 #include <osgEnvLight/Export>
 
 #include <osg/FrameBufferObject>
-#include <osg/Image>
 #include <osg/Matrixd>
 #include <osg/Texture2D>
 
@@ -39,9 +38,6 @@ struct OSGENVLIGHT_EXPORT ShadowTargets {
     void resizeGLObjectBuffers(unsigned maximum) const;
     void releaseGLObjects(osg::State* state) const;
 };
-
-/** Write a texel of a table of floats that describes maps. */
-void writeTexel(osg::Image& image, unsigned column, unsigned row, const osg::Vec3d& rgb, double alpha);
 
 /** One map to be drawn in this frame. */
 struct ShadowRefresh {

@@ -5,6 +5,7 @@
 
 #include <osgUtil/StateGraph>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -126,6 +127,11 @@ SceneLightList findSceneLights(osgUtil::RenderStage& stage, const osg::View* vie
     for (const auto& [number, light] : byNumber)
         if (light.color != osg::Vec3f() && isSomewhere(light)) lights.push_back(light);
     return lights;
+}
+
+bool castShadows(const SceneLightList& lights)
+{
+    return std::any_of(lights.begin(), lights.end(), [](const SceneLight& light) { return !light.ofView; });
 }
 
 LightModes findLightModes(osgUtil::RenderBin& gbuffer, const std::vector<ForwardGraph>& forward)

@@ -35,6 +35,9 @@ struct SceneLight {
 };
 using SceneLightList = std::vector<SceneLight>;
 
+/** Whether any is a light of the scene: the viewer's own casts no shadows. */
+OSGENVLIGHT_EXPORT bool castShadows(const SceneLightList& lights);
+
 /** Which shadow maps are a light's, by its number: the first, and how many. */
 using SceneLightFaces = std::array<std::pair<unsigned, unsigned>, limits::MOST_SCENE_LIGHTS>;
 
