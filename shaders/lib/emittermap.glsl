@@ -64,8 +64,7 @@ vec3 emitterMapPlace(EmitterMap m, vec3 p)
     return vec3((0.5 * st + 0.5) * float(m.size), m.nearest / p.z);
 }
 
-// By how much the plane of normal n through p, both along the map's axes, is higher that many texels away from it, in shares of the height
-// at p.
+// How much the plane of normal n through p rises over so many texels, in shares of the height at p. Both are along the map's axes.
 float emitterMapRise(EmitterMap m, vec3 p, vec3 n, vec2 texels)
 {
     float away = dot(n, p);
@@ -112,9 +111,9 @@ float splineWeight(int side, float d)
     return side == 0 ? 0.75 - d * d : 0.5 * near * near;
 }
 
-// 1 if a texel does not hide the light from a point at place whose own plane rises so far to the texel's centre, in shares of the point's
-// height, else 0. Where two surfaces meet, the plane of one goes on behind the other: what hides must be above the point's plane at the
-// texel, and its own plane, which falls by two texels' widths at most, above the point.
+// 0 if the texel hides the light from the point at place, else 1. It hides the point only if two things hold, or the foot of a wall would be
+// dark, where the wall's plane goes on below the floor: the texel is above the point's plane, and the texel's plane is above the point.
+// That plane may fall by two texels' widths. rise: of the point's plane to the texel's centre, in shares of the point's height.
 float emitterTexelPasses(vec4 texel, EmitterMap m, vec2 centre, vec3 place, float rise)
 {
     float middle = unpackedHeight(texel.x, m.octaves) / place.z;
@@ -125,8 +124,8 @@ float emitterTexelPasses(vec4 texel, EmitterMap m, vec2 centre, vec3 place, floa
     return middle + clamp(fall, -2.0 * width, 2.0 * width) > 1.0 + 0.1 * width + least ? 0.0 : 1.0;
 }
 
-// How much of a light without size a surface gets, of normal n about p and so at place: the texels about it say, and edges of shadows are
-// as wide as these.
+// The share of a light without size that reaches the surface of normal n at p, which the map shows at place. It is a weighted mean over 3 x 3
+// texels, so a shadow's edge is three texels wide.
 float emitterMapShare(sampler2D maps, EmitterMap m, vec3 p, vec3 n, vec3 place)
 {
     vec2 xy = vec2(place.x, place.y);

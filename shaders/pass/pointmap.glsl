@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Shadow maps of points of lights, in the world about the maps' origin. Rows of a point: its position; 1, the nearest distance of its map
-// (alpha); 2, the map's octaves (alpha); 3, 4, 5: across, up and along the map, with the offsets of these axes; 6: the window's centre and,
-// alpha, half its width.
+// Shadow maps of points of lights, in the world about the maps' origin. A column of the table describes a point and its map:
+//   row 0        position
+//   row 1        alpha: nearest distance of the map
+//   row 2        alpha: octaves of the map
+//   rows 3 to 5  across, up and along the map; alpha: offset of the axis
+//   row 6        centre of the window; alpha: half its width
 #ifndef PASS_POINTMAP_GLSL
 #define PASS_POINTMAP_GLSL
 

@@ -12,16 +12,6 @@ namespace SceneLightShadows_test
 
 using namespace lampscene;
 
-namespace
-{
-
-std::string mapsReason(const LitScene& lit)
-{
-    return reasonOf(lit, "scenelightmaps");
-}
-
-}  // namespace
-
 class SceneLightShadows : public LampScene
 {
 };
@@ -60,7 +50,7 @@ TEST_F(SceneLightShadows, ABlockedLightIsDark)
         EXPECT_TRUE(lit->plan().runs("scenelightmaps"));
         lit->getSettings()->sceneLightShadows = false;
         EXPECT_FALSE(render().rgba == p.rgba);
-        EXPECT_EQ("off, sceneLightShadows is off", mapsReason(*lit));
+        EXPECT_EQ("off, sceneLightShadows is off", reasonOf(*lit, "scenelightmaps"));
         lit->getSettings()->sceneLightShadows = true;
         root->removeChild(light);
     }
