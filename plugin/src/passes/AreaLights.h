@@ -8,22 +8,16 @@ namespace osgEnvLight
 {
 
 /** The shadow maps of the area lights' points, drawn when lights or casters change, a few a frame. */
-class OSGENVLIGHT_EXPORT AreaMapsPass : public RenderPass
+class OSGENVLIGHT_EXPORT AreaMapsPass : public MapsPass<EmitterMapsOwner>
 {
   public:
-    AreaMapsPass(Failure* failure, RetiredObjects* retired) : _maps(failure, retired) {}
+    using MapsPass::MapsPass;
 
     const char* name() const override { return "areamaps"; }
     Requirement require(const FrameContext& context) const override;
     void update(FrameContext& context) override;
     void setup(PassBuilder& builder, FrameContext& context) override;
     void dismiss(FrameContext& context) override;
-    size_t bytes() const override { return _maps.bytes(); }
-    void resizeGLObjectBuffers(unsigned maximum) override { _maps.resizeGLObjectBuffers(maximum); }
-    void releaseGLObjects(osg::State* state) const override { _maps.releaseGLObjects(state); }
-
-  private:
-    EmitterMapsOwner _maps;
 };
 
 /** Each pixel of a 4x4 cell asks another sixteenth of these maps. */

@@ -4,6 +4,7 @@
 #include "base/Failure.h"
 #include "frame/FrameContext.h"
 #include "frame/PassBuilder.h"
+#include "frame/RenderPass.h"
 #include "frame/Requirement.h"
 #include "frame/StageCamera.h"
 #include "gl/BindTargets.h"
@@ -89,6 +90,22 @@ class MapsOwner
     const osg::ref_ptr<RetiredObjects> _retired;
     osg::ref_ptr<Maps> _maps;
     osg::ref_ptr<osg::Camera> _camera;
+};
+
+/** A pass that draws shadow maps.
+ * @tparam Owner  of them */
+template <class Owner>
+class MapsPass : public RenderPass
+{
+  public:
+    MapsPass(Failure* failure, RetiredObjects* retired) : _maps(failure, retired) {}
+
+    size_t bytes() const override { return _maps.bytes(); }
+    void resizeGLObjectBuffers(unsigned maximum) override { _maps.resizeGLObjectBuffers(maximum); }
+    void releaseGLObjects(osg::State* state) const override { _maps.releaseGLObjects(state); }
+
+  protected:
+    Owner _maps;
 };
 
 /** Those of the sky's lights. */

@@ -8,22 +8,18 @@ namespace osgEnvLight
 {
 
 /** The shadow maps of the application's lights, drawn when lights or casters change, a few a frame. */
-class OSGENVLIGHT_EXPORT SceneLightMapsPass : public RenderPass
+class OSGENVLIGHT_EXPORT SceneLightMapsPass : public MapsPass<EmitterMapsOwner>
 {
   public:
-    SceneLightMapsPass(Failure* failure, RetiredObjects* retired) : _maps(failure, retired) {}
+    using MapsPass::MapsPass;
 
     const char* name() const override { return "scenelightmaps"; }
     Requirement require(const FrameContext& context) const override;
     void update(FrameContext& context) override;
     void setup(PassBuilder& builder, FrameContext& context) override;
     void dismiss(FrameContext& context) override;
-    size_t bytes() const override { return _maps.bytes(); }
-    void resizeGLObjectBuffers(unsigned maximum) override { _maps.resizeGLObjectBuffers(maximum); }
-    void releaseGLObjects(osg::State* state) const override { _maps.releaseGLObjects(state); }
 
   private:
-    EmitterMapsOwner _maps;
     std::vector<EmitterPoint> _points;
 };
 

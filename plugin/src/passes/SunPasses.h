@@ -17,24 +17,19 @@ class OSGENVLIGHT_EXPORT Suns : public RenderPass
 };
 
 /** The suns' shadow maps of a view, drawn when they change. */
-class OSGENVLIGHT_EXPORT SunMaps : public RenderPass
+class OSGENVLIGHT_EXPORT SunMaps : public MapsPass<MapsOwner<SunShadows>>
 {
   public:
-    SunMaps(Failure* failure, RetiredObjects* retired) : _maps(failure, retired) {}
+    using MapsPass::MapsPass;
 
     const char* name() const override { return "sunmap"; }
     Requirement require(const FrameContext& context) const override;
     void update(FrameContext& context) override;
     void setup(PassBuilder& builder, FrameContext& context) override;
     void dismiss(FrameContext& context) override;
-    size_t bytes() const override { return _maps.bytes(); }
-    void resizeGLObjectBuffers(unsigned maximum) override { _maps.resizeGLObjectBuffers(maximum); }
-    void releaseGLObjects(osg::State* state) const override { _maps.releaseGLObjects(state); }
 
   private:
     SunShadows& make(unsigned suns, unsigned levels, unsigned size);
-
-    MapsOwner<SunShadows> _maps;
 };
 
 /** What each pixel sees of the suns, by one point of each disc. */
