@@ -9,6 +9,7 @@
 HeadlessViewer::HeadlessViewer(osgEnvLight::LitScene& lit, const SceneOptions& options) : _lit(lit)
 {
     _viewer.setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
+    _viewer.setUseConfigureAffinity(false);  // else this process would run on one processor
     _window = _viewer.setUpViewerAsEmbeddedInWindow(0, 0, options.width, options.height);
     _viewer.setSceneData(&lit);
     osg::Camera& camera = *_viewer.getCamera();

@@ -87,6 +87,7 @@ int main(int argc, char** argv)
     lit->addChild(scene);
 
     osgViewer::Viewer viewer;
+    viewer.setUseConfigureAffinity(false);  // else the video is decoded on the processor that draws
     viewer.setSceneData(lit);
     return viewer.run();
 }

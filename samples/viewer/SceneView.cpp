@@ -14,6 +14,7 @@ SceneView::SceneView(osgEnvLight::LitScene& lit, SceneOptions options, int width
     : _lit(lit), _manipulator(new osgGA::TrackballManipulator)
 {
     _viewer.setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
+    _viewer.setUseConfigureAffinity(false);  // else this process would run on one processor
     _window = _viewer.setUpViewerAsEmbeddedInWindow(0, 0, width, height);
     _window->getState()->setCheckForGLErrors(osg::State::ONCE_PER_FRAME);
     if (const auto view = options.chosenView(lit)) lit.setHomeView(*view);

@@ -161,6 +161,7 @@ TEST_F(Contexts, TwoWindowsOfOneViewerShowTheSame)
         osg::ref_ptr<FrameReader> readers[2];
         {
             osgViewer::CompositeViewer viewer;
+            viewer.setUseConfigureAffinity(false);
             viewer.setThreadingModel(threading);
             for (auto& reader : readers) {
                 osg::ref_ptr<osgViewer::View> view = new osgViewer::View;

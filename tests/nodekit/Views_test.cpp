@@ -116,6 +116,7 @@ osg::ref_ptr<osg::Image> run(osgViewer::ViewerBase::ThreadingModel model, bool t
         root->addChild(second);
     }
     osgViewer::CompositeViewer viewer;
+    viewer.setUseConfigureAffinity(false);
     osg::ref_ptr<osg::GraphicsContext> context = makeContext(256, 128);
     if (!context) return nullptr;
     View a = addView(viewer, context.get(), root.get(), 0, 0, 128, 128, osg::Vec3d(0, -5, 1));
@@ -175,6 +176,7 @@ TEST_F(Views, ANodeMayDieWhileItsLastFrameIsDrawn)
     for (V::ThreadingModel model : {V::DrawThreadPerContext, V::CullThreadPerCameraDrawThreadPerContext}) {
         osg::ref_ptr<osg::Group> root = new osg::Group;
         osgViewer::CompositeViewer viewer;
+        viewer.setUseConfigureAffinity(false);
         osg::ref_ptr<osg::GraphicsContext> context = makeContext(256, 128);
         ASSERT_TRUE(context);
         View a = addView(viewer, context.get(), root.get(), 0, 0, 256, 128, osg::Vec3d(0, -5, 1));
@@ -199,6 +201,7 @@ TEST_F(Views, AnOffsetViewportShowsTheSamePicture)
     for (int i = 0; i < 2; ++i) {
         osg::ref_ptr<LitScene> lit = makeScene();
         osgViewer::CompositeViewer viewer;
+        viewer.setUseConfigureAffinity(false);
         viewer.setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
         osg::ref_ptr<osg::GraphicsContext> context = makeContext(256, 256);
         ASSERT_TRUE(context);
@@ -215,6 +218,7 @@ TEST_F(Views, DataIsFreedWithTheView)
 {
     osg::ref_ptr<LitScene> lit = makeScene();
     osgViewer::CompositeViewer viewer;
+    viewer.setUseConfigureAffinity(false);
     viewer.setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
     osg::ref_ptr<osg::GraphicsContext> context = makeContext(256, 128);
     ASSERT_TRUE(context);

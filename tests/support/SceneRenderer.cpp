@@ -27,6 +27,7 @@ double largestDifference(const Picture& a, const Picture& b)
 SceneRenderer::SceneRenderer(int width, int height) : _width(width), _height(height)
 {
     _viewer.setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
+    _viewer.setUseConfigureAffinity(false);  // else this process would run on one processor
     _window = _viewer.setUpViewerAsEmbeddedInWindow(0, 0, width, height);
     osg::Camera& camera = *_viewer.getCamera();
     camera.setClearColor(osg::Vec4(0, 0, 0, 0));

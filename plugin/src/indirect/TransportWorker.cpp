@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "indirect/TransportWorker.h"
 
+#include "base/WorkerThread.h"
+
 #include <osg/Notify>
 
 #include <exception>
@@ -26,7 +28,7 @@ void TransportWorker::post(const Job& job)
     _job = job;
     _result = nullptr;
     _stop = _working;
-    if (!_thread.joinable()) _thread = std::thread([this] { run(); });
+    if (!_thread.joinable()) _thread = startWorker([this] { run(); });
     _wake.notify_one();
 }
 

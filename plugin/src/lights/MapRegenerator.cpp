@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lights/MapRegenerator.h"
 
+#include "base/WorkerThread.h"
+
 #include <exception>
 
 namespace osgEnvLight
@@ -45,7 +47,7 @@ void MapRegenerator::enqueue(Job job)
     std::lock_guard<std::mutex> lock(_mutex);
     _job = std::move(job);
     _hasJob = true;
-    if (!_thread.joinable()) _thread = std::thread([this] { run(); });
+    if (!_thread.joinable()) _thread = startWorker([this] { run(); });
     _wake.notify_one();
 }
 
