@@ -69,6 +69,18 @@ double largestCosine(const glm::dvec3& normal, const glm::dvec3& center, double 
     return cosine >= cosRadius ? 1.0 : std::max(0.0, cosine * cosRadius + sine * sinRadius);
 }
 
+// As the surface that shows it is sampled.
+std::shared_ptr<const TextureImage> readPicture(const osg::Image* image)
+{
+    if (!image) return nullptr;
+    const osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(const_cast<osg::Image*>(image));
+    texture->setResizeNonPowerOfTwoHint(false);
+    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
+    texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
+    std::string reason;
+    return TextureImage::create(*texture, image->getDataType() != GL_UNSIGNED_BYTE, reason);
+}
+
 }  // namespace
 
 EmitterSampler::Light EmitterSampler::convert(const Emitter& e)
@@ -77,12 +89,16 @@ EmitterSampler::Light EmitterSampler::convert(const Emitter& e)
     light.shape = e.shape;
     light.center = toGlm(e.center);
     light.frame = frameAbout(e.shape == AreaLight::SPHERE ? glm::dvec3(0, 0, 1) : toGlm(e.normal));
-    light.radiance = toGlm(e.radiance);
-    light.brightness = (light.radiance.r + light.radiance.g + light.radiance.b) / 3.0;
+    light.radiance = toGlm(e.image ? e.tint : e.radiance);
+    light.brightness = (e.radiance[0] + e.radiance[1] + e.radiance[2]) / 3.0;
     light.area = e.area;
     light.radius = e.radius();
     light.extent = e.extent();
     light.twoSided = e.twoSided;
+    light.picture = readPicture(e.image);
+    const bool fromTop = e.image && e.image->getOrigin() == osg::Image::TOP_LEFT;
+    light.halfAxes[0] = toGlm(e.u);
+    light.halfAxes[1] = toGlm(e.v) * (e.pictureTurned == fromTop ? 1.0 : -1.0);
     const auto add = [&light](const osg::Vec3d& a, const osg::Vec3d& b, const osg::Vec3d& c) {
         Triangle t;
         t.corners[0] = toGlm(a);
@@ -115,6 +131,16 @@ bool EmitterSampler::Light::contains(const glm::dvec3& p) const
         const glm::dvec2* c = t.inPlane;
         return cross(c[1] - c[0], q - c[0]) >= 0.0 && cross(c[2] - c[1], q - c[1]) >= 0.0 && cross(c[0] - c[2], q - c[2]) >= 0.0;
     });
+}
+
+// At a point of its plane, relative to the centre.
+glm::dvec3 EmitterSampler::Light::shown(const glm::dvec3& p) const
+{
+    if (!picture) return glm::dvec3(1.0);
+    const glm::dvec3 &u = halfAxes[0], &v = halfAxes[1], n = glm::cross(u, v);
+    const glm::dvec2 place(glm::dot(glm::cross(p, v), n), glm::dot(glm::cross(u, p), n));
+    const glm::dvec2 st = 0.5 + 0.5 * place / glm::dot(n, n);
+    return glm::dvec3(picture->sample(st, glm::dvec2(0.0), glm::dvec2(0.0)));
 }
 
 // Whether a point lies before a lit side.
@@ -217,7 +243,7 @@ EmitterSampler::Arrival EmitterSampler::arrivalOf(size_t i, const Outlook& outlo
     a.emitter = int(i);
     a.direction = direction;
     a.distance = distance;
-    a.radiance = light.radiance;
+    a.radiance = light.radiance * light.shown(outlook.point - light.center + distance * direction);
     const double perAngle = byAngle(light, sight.solidAngle)
                                 ? 1.0 / sight.solidAngle
                                 : distance * distance / (light.area * std::abs(glm::dot(light.normal(), direction)));
@@ -247,6 +273,11 @@ bool EmitterSampler::sample(const Outlook& outlook, double choice, const glm::dv
     if (!distanceTo(light, outlook.point, direction, distance)) return false;
     arrival = arrivalOf(chosen, outlook, direction, distance);
     return true;
+}
+
+glm::dvec3 EmitterSampler::shown(int emitter, const glm::dvec3& position) const
+{
+    return emitter < 0 ? glm::dvec3(1.0) : _lights[size_t(emitter)].shown(position - _lights[size_t(emitter)].center);
 }
 
 void EmitterSampler::meet(const Outlook& outlook, const glm::dvec3& direction, std::vector<Arrival>& arrivals) const

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <reference/RayScene>
+#include <reference/TextureImage>
 
 #include <glm/glm.hpp>
 
@@ -49,6 +50,9 @@ class EmitterSampler
     /** From every emitter along a direction, near and far. */
     void meet(const Outlook& outlook, const glm::dvec3& direction, std::vector<Arrival>& arrivals) const;
 
+    /** By what a surface's emission is multiplied at a position: the colour of the emitter's image; 1 without one. */
+    glm::dvec3 shown(int emitter, const glm::dvec3& position) const;
+
   private:
     struct Triangle {
         glm::dvec3 corners[3];  // relative to the light's centre
@@ -58,18 +62,21 @@ class EmitterSampler
     struct Light {
         AreaLight::Shape shape;
         glm::dvec3 center;
-        glm::dmat3 frame;  // about the normal
-        glm::dvec3 radiance;
-        double brightness;  // mean of the radiance's colours
+        glm::dmat3 frame;     // about the normal
+        glm::dvec3 radiance;  // of an image's white
+        double brightness;    // mean of the colours of the mean radiance
         double area;
         double radius;  // of a disc or sphere
         double extent;
         bool twoSided;
-        std::vector<Triangle> triangles;  // of a rectangle or polygon
+        std::shared_ptr<const TextureImage> picture;  // null: even
+        glm::dvec3 halfAxes[2];                       // of the picture, to the right and up
+        std::vector<Triangle> triangles;              // of a rectangle or polygon
 
         const glm::dvec3& normal() const { return frame[2]; }
         bool contains(const glm::dvec3& inPlane) const;
         bool lights(const glm::dvec3& point) const;
+        glm::dvec3 shown(const glm::dvec3& inPlane) const;
     };
     static Light convert(const Emitter& emitter);
     static double solidAngle(const Light& light, const glm::dvec3& point);

@@ -82,6 +82,12 @@ class LightTransport
     /** Their sum, with what the scene lets through. */
     DirectLight resolve(const Arrivals& arrivals) const;
 
+    /** What a surface sends to the eye by itself. */
+    glm::dvec3 emitted(const SurfaceHit& hit, const Reflection& surface) const
+    {
+        return surface.emission() * _emitters.shown(hit.mesh->emitter, hit.position);
+    }
+
     /** What other surfaces send by one path from here on, to the eye. */
     glm::dvec3 indirect(const Start& start, std::uint64_t seed) const;
 

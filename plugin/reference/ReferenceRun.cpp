@@ -233,7 +233,7 @@ class ReferenceRun
     void addSurface(const SurfaceHit& hit, const Reflection& surface, double share, PixelMeans& m) const
     {
         m.coverage += share;
-        m[Layer::EMISSION] += share * surface.emission();
+        m[Layer::EMISSION] += share * _transport.emitted(hit, surface);
         m[Layer::ALBEDO] += share * surface.albedo();
         m[Layer::NORMAL] += share * surface.normal();
         m[Layer::BLENDED] += hit.mesh->material.blended ? share : 0.0;

@@ -10,21 +10,39 @@ namespace
 
 using osgEnvLight::AreaLight;
 
+// A polygon's vertices and a rectangle's image. Binary files have no names of properties: those of before images came would be
+// misread if images had a property of their own. So a light with an image writes an array of one number first, whether vertices
+// follow it.
+
 bool checkVertices(const AreaLight& light)
 {
-    return light.getVertices() != nullptr;
+    return light.getVertices() || light.getImage();
 }
 
 bool readVertices(osgDB::InputStream& is, AreaLight& light)
 {
     const osg::ref_ptr<osg::Array> array = is.readArray();
-    light.setVertices(dynamic_cast<osg::Vec3Array*>(array.get()));
+    const auto* hasVertices = dynamic_cast<osg::IntArray*>(array.get());
+    if (!hasVertices) {
+        light.setVertices(dynamic_cast<osg::Vec3Array*>(array.get()));
+        return true;
+    }
+    light.setImage(is.readImage());
+    if (hasVertices->empty() || (*hasVertices)[0] == 0) return true;
+    const osg::ref_ptr<osg::Array> vertices = is.readArray();
+    light.setVertices(dynamic_cast<osg::Vec3Array*>(vertices.get()));
     return true;
 }
 
 bool writeVertices(osgDB::OutputStream& os, const AreaLight& light)
 {
-    os.writeArray(light.getVertices());
+    if (light.getImage()) {
+        const osg::ref_ptr<osg::IntArray> hasVertices = new osg::IntArray;
+        hasVertices->push_back(light.getVertices() ? 1 : 0);
+        os.writeArray(hasVertices);
+        os.writeImage(light.getImage());
+    }
+    if (light.getVertices()) os.writeArray(light.getVertices());
     return true;
 }
 

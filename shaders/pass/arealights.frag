@@ -3,13 +3,16 @@
 // What surfaces reflect of the area lights, added to the emission: so everything that reads that has it. Irradiance is exact, in closed
 // form, times the share that the surface sees [area-lights.md 0]. What lobes reflect is by linearly transformed cosines, of all lobes
 // as of GGX's of the same roughness.
-#pragma import_defines(HAS_AREA_SHADOWS, HAS_AREA_POINTS, HAS_DIFFUSE, HAS_LOBES)
+#pragma import_defines(HAS_AREA_SHADOWS, HAS_AREA_POINTS, HAS_DIFFUSE, HAS_LOBES, HAS_AREA_PICTURES)
 
 #include "lib/scenelight.glsl"
 #include "pass/arealights.glsl"
 #ifdef HAS_AREA_POINTS
 #include "lib/atlas.glsl"
 #include "pass/emitterpoints.glsl"
+#endif
+#ifdef HAS_AREA_PICTURES
+#include "pass/areapictures.glsl"
 #endif
 #include "pass/gbuffer.glsl"
 #include "pass/hostcolor.glsl"
@@ -57,8 +60,13 @@ vec3 throughLobe(vec3 point, vec3 n, vec3 v, float roughness)
         if (!isLitBy(light, n)) continue;
         bool far = isFarLight(light, n) && AREA_FAR * AREA_FAR * light.squareRadius < alpha * alpha * dot(light.center, light.center);
         vec3 l = normalize(light.center) * frame;
-        float share = far ? ltcDensity(lobe, l) * farSolidAngle(light) : areaShare(inFrame(light, frame), lobe, frame);
-        sum += light.radiance * share;
+        AreaLight local = inFrame(light, frame);
+        float share = far ? ltcDensity(lobe, l) * farSolidAngle(light) : areaShare(local, lobe, frame);
+        vec3 radiance = light.radiance;
+#ifdef HAS_AREA_PICTURES
+        if (light.picture >= 0 && !far) radiance *= shownThrough(local, lobe);
+#endif
+        sum += radiance * share;
     }
 #endif
     return sum;
@@ -100,9 +108,13 @@ vec3 diffused(ivec2 p, vec3 albedo, vec3 point, vec3 n)
         AreaLight light = areaLight(i, point);
         if (!isLitBy(light, n)) continue;
         vec3 toLight = light.center;
-        float form = isFarLight(light, n) ? INV_PI * dot(n, normalize(toLight)) * farSolidAngle(light)
-                                          : areaFormFactor(inFrame(light, frame), frame);
+        bool far = isFarLight(light, n);
+        AreaLight local = inFrame(light, frame);
+        float form = far ? INV_PI * dot(n, normalize(toLight)) * farSolidAngle(light) : areaFormFactor(local, frame);
         vec3 received = light.radiance * form;
+#if defined(HAS_AREA_PICTURES) && !defined(HAS_AREA_SHADOWS)
+        if (light.picture >= 0 && !far) received *= shownThrough(local, cosineLobe());
+#endif
 #endif
 #ifdef HAS_ROUGH_DIFFUSE
         // As if all of the light came from its middle.

@@ -10,7 +10,8 @@
 #include "lib/polygon.glsl"
 
 uniform sampler2D areaLightMap; // a column each; rows: centre, the square of the radius of what holds the light; radiance, shape + 4 where
-                                // both sides are lit + 8 vertices; u; v; of a polygon its vertices about its centre
+                                // both sides are lit + 8 vertices; u, number of its picture or -1; v, 1 or -1
+                                // if the picture's top is at -v; of a polygon its vertices about its centre
 
 // As AreaLight::Shape.
 const int AREA_RECTANGLE = 0;
@@ -30,6 +31,8 @@ struct AreaLight {
     bool back;  // it is seen from the other side than that of u x v
     int vertices;
     int index;
+    int picture;      // its layer; -1: none
+    float pictureUp;  // 1 if the picture's top is at v, -1 at -v
 };
 
 // The light from a point; of one that is lit on both sides, the side that is turned to it becomes that of u x v.
@@ -43,10 +46,17 @@ AreaLight areaLight(int i, vec3 point)
     a.center = center.xyz - point;
     a.radiance = radiance.rgb;
     a.squareRadius = center.w;
-    a.u = texelFetch(areaLightMap, ivec2(i, 2), 0).xyz;
-    a.v = texelFetch(areaLightMap, ivec2(i, 3), 0).xyz;
+    vec4 u = texelFetch(areaLightMap, ivec2(i, 2), 0);
+    vec4 v = texelFetch(areaLightMap, ivec2(i, 3), 0);
+    a.u = u.xyz;
+    a.v = v.xyz;
+    a.picture = int(u.w);
+    a.pictureUp = v.w;
     a.back = (code & 4) != 0 && dot(cross(a.u, a.v), a.center) > 0.0;
-    if (a.back) a.v = -a.v;
+    if (a.back) {
+        a.v = -a.v;
+        a.pictureUp = -a.pictureUp;
+    }
     a.vertices = code >> 3;
     a.index = i;
     return a;

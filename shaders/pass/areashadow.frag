@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: MIT
 // What area lights a pixel sees: it takes a sixteenth of their points and sums what these send to it, those that it sees (num) and all
 // (den) [area-lights.md 5, "O pass"]. The filter averages both over a 4x4 cell; their ratio dims the closed forms. Alpha: the same sums,
-// weighted by the pixel's lobe.
-#pragma import_defines(HAS_LOBES)
+// weighted by the pixel's lobe. Where lights show pictures, the sum of all is as if these were even: the ratio has their colours, too.
+#pragma import_defines(HAS_LOBES, HAS_AREA_PICTURES)
 
 #include "lib/frame.glsl"
 #include "lib/limits.glsl"
@@ -73,8 +73,11 @@ void main()
 #ifdef HAS_LOBES
         w.a = dot(w.rgb, vec3(1.0 / 3.0)) * lobeWeight(lobe, transpose(mat3(atlasFromEye)) * normalize(to));
 #endif
-        sums.den += w;
         sums.num += emitterSees(e, point, normal) * w;
+#ifdef HAS_AREA_PICTURES
+        w.rgb = evenPower(e) * (kernel * e.scale);
+#endif
+        sums.den += w;
     }
     sumsTexel = packSums(sums);
     SumsPlace place;

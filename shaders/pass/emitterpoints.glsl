@@ -8,7 +8,7 @@
 
 uniform sampler2D emitterMaps;
 uniform sampler2D emitterPointMap; // as pass/pointmap.glsl says, and beside these the area of the point's part; its normal; its radiance
-                                   // times the area; the scale of sums
+                                   // times the area; the scale of sums; its power if the light were even
 
 struct EmitterPoint {
     vec3 position;
@@ -35,6 +35,12 @@ EmitterPoint emitterPoint(int i)
     e.map = pointMap(emitterMaps, emitterPointMap, i, normal.w, power.w, window);
     e.index = i;
     return e;
+}
+
+// The power of the point if its light sent as much from everywhere.
+vec3 evenPower(EmitterPoint e)
+{
+    return texelFetch(emitterPointMap, ivec2(e.index, 7), 0).rgb;
 }
 
 // The share of a point's power that a surface of unit normal n receives, as irradiance over pi. It is the product of both cosines over pi

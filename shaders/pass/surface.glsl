@@ -200,6 +200,9 @@ Surface readSurface()
 #endif
 #ifdef ENVLIGHT_LIGHT
     s.emission = envlightLight;
+#ifdef EMISSION_MAP
+    s.emission *= mappedEmission();
+#endif
 #endif
     vec4 material = host.diffuse;
 #if defined(ENVLIGHT_COOK_TORRANCE) || defined(ENVLIGHT_STRAUSS)

@@ -116,6 +116,12 @@ TEST_F(BadInput, SceneDescriptions)
         {start + ", \"lights\": [{\"shape\": \"cube\"}]}", {"'lights[0]'", "polygon", "cube"}},
         {start + ", \"lights\": [{\"shape\": \"disc\", \"center\": [0, 0, 0], \"normal\": [0, 0, 1], \"radiance\": [1, 1, 1]}]}",
          {"'lights[0].radius'", "greater than 0", "nothing"}},
+        {start + ", \"lights\": [{\"shape\": \"rectangle\", \"center\": [0, 0, 0], \"u\": [1, 0, 0], \"v\": [0, 1, 0], "
+                 "\"radiance\": [1, 1, 1], \"image\": \"nowhere.png\"}]}",
+         {"'lights'", "nowhere.png", "no such file"}},
+        {start + ", \"lights\": [{\"shape\": \"sphere\", \"center\": [0, 0, 0], \"radius\": 1, \"radiance\": [1, 1, 1], "
+                 "\"image\": \"nowhere.png\"}]}",
+         {"unknown key 'lights[0].image'", "radius"}},
         {start + ", \"lights\": [{\"shape\": \"sphere\", \"center\": [0, 0, 0], \"radius\": 1}]}",
          {"'lights[0]'", "either radiance or flux"}},
         {start + ", \"lights\": [{\"shape\": \"sphere\", \"center\": [0, 0, 0], \"radius\": 1, \"radiance\": [1, 1, -1]}]}",

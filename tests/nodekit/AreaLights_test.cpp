@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Area lights below a LitScene, under a black map: against closed forms, and as guests of the graph.
+#include <Halves.h>
 #include <Oracles.h>
 #include <SceneRenderer.h>
 
@@ -16,6 +17,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "AreaLightScene.h"
+
 namespace AreaLights_test
 {
 
@@ -29,20 +32,6 @@ namespace oracle = testmaths::oracle;
 namespace
 {
 
-const int size = 65;        // odd: a pixel in the middle
-const double exact = 2e-3;  // half floats, and normals of 16 bits
-const double height = 1.5;  // of lights above the floor
-
-osg::ref_ptr<AreaLight> makeRectangle(double radiance = 3.0)
-{
-    osg::ref_ptr<AreaLight> light = new AreaLight;
-    light->setRectangle(osg::Vec3d(0, 0, height), osg::Vec3d(1, 0, 0), osg::Vec3d(0, -0.5, 0));
-    light->setRadiance(osg::Vec3f(1, 0.5f, 0.25f) * float(radiance));
-    light->setVisible(false);
-    light->setName("lamp");
-    return light;
-}
-
 std::string reason(const LitScene& lit, const std::string& pass)
 {
     const Plan plan = lit.plan();
@@ -51,35 +40,8 @@ std::string reason(const LitScene& lit, const std::string& pass)
 
 }  // namespace
 
-// A white floor, of which the middle pixel shows the origin; the eye is beside the light.
-class AreaLights : public testing::Test
+class AreaLights : public AreaLightScene
 {
-  protected:
-    AreaLights() : lit(makeLit(constantMap(0.0).get()))
-    {
-        const osg::ref_ptr<osg::Geode> floor = makeQuad(osg::Vec3d(-4, -4, 0), osg::Vec3d(8, 0, 0), osg::Vec3d(0, 8, 0));
-        Material::setLambert(*floor->getOrCreateStateSet(), osg::Vec3f(1, 1, 1));
-        lit->addChild(floor);
-        lit->getSettings()->bounce = Settings::BOUNCE_OFF;
-        lit->getSettings()->regeneration = Settings::IMMEDIATE;  // all shadow maps in the frame of a change
-        renderer.lookAt(osg::Vec3d(0, -6, 6), osg::Vec3d(), osg::Vec3d(0, 0, 1), 30.0);
-    }
-
-    osg::Vec3d middle(int frames = 2)
-    {
-        const Picture p = renderer.render(lit, frames);
-        EXPECT_TRUE(p.finite());
-        return p.color(size / 2, size / 2);
-    }
-
-    osg::Vec3d at(const Picture& p, const osg::Vec3d& point) const
-    {
-        const osg::Vec2d pixel = renderer.pixelOf(point);
-        return p.color(int(pixel.x()), int(pixel.y()));
-    }
-
-    SceneRenderer renderer{size, size};
-    osg::ref_ptr<LitScene> lit;
 };
 
 TEST_F(AreaLights, GiveAPlaneWhatTheClosedFormsSay)
@@ -242,7 +204,6 @@ TEST_F(AreaLights, DoNotShineThroughWalls)
     EXPECT_LT(middle()[0], 1e-4);
 }
 
-// A lamp over a box on a floor, moved and scaled, seen from the same place relative to it.
 TEST_F(AreaLights, ScaleAndPlaceDoNotMatter)
 {
     const auto picture = [this](double scale, const osg::Vec3d& place) {
@@ -280,6 +241,11 @@ TEST_F(AreaLights, ThatCanNotLightAreLeftOutAndNamedOnce)
     EXPECT_EQ(osg::Vec3d(), middle());
     light->setU(osg::Vec3d(1, 0, 0));
     EXPECT_GT(middle()[0], 0.1);
+    light->setShape(AreaLight::DISC);
+    light->setImage(makeHalves());
+    catcher.clear();
+    EXPECT_EQ(osg::Vec3d(), middle());
+    EXPECT_NE(std::string::npos, catcher.text().find("area light 'lamp' has an image but is no rectangle; it is left out"));
 }
 
 TEST_F(AreaLights, AddedAndRemovedLeaveMemoryAsItWas)
@@ -289,6 +255,7 @@ TEST_F(AreaLights, AddedAndRemovedLeaveMemoryAsItWas)
     for (int i = 0; i < 20; ++i) {
         const osg::ref_ptr<AreaLight> light = makeRectangle();
         light->setVisible(i % 2 == 0);
+        if (i % 3 == 0) light->setImage(makeHalves());
         lit->addChild(light);
         renderer.render(lit, 1);
         EXPECT_GT(lit->textureBytes(), before);
@@ -310,6 +277,9 @@ TEST_F(AreaLights, AreWrittenAndReadAgain)
     other->setFlux(osg::Vec3f(3, 2, 1));
     other->setTwoSided(true);
     lit->addChild(other);
+    const osg::ref_ptr<AreaLight> screen = makeRectangle();
+    screen->setImage(makeHalves());
+    lit->addChild(screen);
     const Picture before = renderer.render(lit, 2);
     for (const char* extension : {"osgt", "osgb"}) {
         osgDB::ReaderWriter* plugin = osgDB::Registry::instance()->getReaderWriterForExtension(extension);

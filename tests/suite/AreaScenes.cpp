@@ -17,7 +17,7 @@ using osgEnvLight::Settings;
 namespace suite
 {
 
-const char* const areaScenes[5] = {"table", "room", "grille", "strips", "many"};
+const char* const areaScenes[7] = {"table", "room", "grille", "strips", "many", "stripes", "screen"};
 
 namespace
 {
@@ -61,6 +61,22 @@ osg::ref_ptr<osg::Geode> pole(const Vec3d& foot, double radius, double height)
     osg::ref_ptr<osg::Geode> geode = new osg::Geode;
     geode->addDrawable(geometry);
     return geode;
+}
+
+// Stripes of unlike colours and widths, dark ones between them, and a white disc.
+osg::ref_ptr<osg::Image> makePicture()
+{
+    const int width = 160, height = 90;
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(width, height, 1, GL_RGB, GL_UNSIGNED_BYTE);
+    const unsigned char colors[6][3] = {{255, 40, 20}, {10, 10, 10}, {30, 220, 60}, {40, 60, 255}, {10, 10, 10}, {255, 210, 60}};
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const bool disc = (x - 120) * (x - 120) + (y - 60) * (y - 60) < 400;
+            const unsigned char* color = colors[x * x * 6 / (width * width)];
+            for (int k = 0; k < 3; ++k) image->data(unsigned(x), unsigned(y))[k] = disc ? 255 : color[k];
+        }
+    return image;
 }
 
 void addLight(LitScene& lit, AreaLight::Shape shape, const Vec3d& center, const Vec3d& u, const Vec3d& v,
@@ -180,8 +196,14 @@ osg::ref_ptr<LitScene> makeAreaScene(const std::string& name, SceneRenderer& ren
         addStrips(*lit, renderer);
     else if (name == "many")
         addMany(*lit, renderer);
+    else if (name == "stripes")
+        addTable(*lit, renderer);
+    else if (name == "screen")
+        addStrips(*lit, renderer);
     else
         throw std::runtime_error("no scene of area lights is named '" + name + "'");
+    if (name == "stripes" || name == "screen")
+        static_cast<AreaLight&>(*lit->getChild(lit->getNumChildren() - 1)).setImage(makePicture());
     return lit;
 }
 

@@ -13,10 +13,11 @@ namespace suite
 {
 
 /** table: turned boxes under a rectangle; room: closed, with furniture and a window; grille: poles before a disc; strips: a
- * screen that stands on strips of metal of roughness .1, .3, .6; many: 16 unlike rectangles over boxes and columns. The
- * renderer's camera is set to look at it. Throws std::runtime_error for another name. */
+ * screen that stands on strips of metal of roughness .1, .3, .6; many: 16 unlike rectangles over boxes and columns;
+ * stripes and screen: table and strips, whose light shows a picture. The renderer's camera is set to look at it. Throws
+ * std::runtime_error for another name. */
 osg::ref_ptr<osgEnvLight::LitScene> makeAreaScene(const std::string& name, SceneRenderer& renderer);
-extern const char* const areaScenes[5];
+extern const char* const areaScenes[7];
 
 /** What a scene's picture should be, and the pixels that count. */
 struct AreaTruth {

@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "node/SceneAreaLights.h"
 
+#include "base/ReadMessage.h"
 #include "surface/Emitter.h"
+
+#include <osg/ImageStream>
+#include <osgDB/FileUtils>
+#include <osgDB/Registry>
+
+#include <stdexcept>
 
 namespace osgEnvLight
 {
@@ -52,7 +59,7 @@ void readShape(const JsonValue& v, AreaLight& light)
 {
     const std::string shape = v.get().is_object() && v.has("shape") ? v["shape"].string() : std::string();
     if (shape == "rectangle") {
-        checkKeys(v, {"center", "u", "v"});
+        checkKeys(v, {"center", "u", "v", "image"});
         light.setRectangle(required(v, "center"), required(v, "u"), required(v, "v"));
     } else if (shape == "disc") {
         checkKeys(v, {"center", "normal", "radius"});
@@ -82,6 +89,10 @@ osg::ref_ptr<AreaLight> readAreaLight(const JsonValue& v)
     Emitter placed;
     const std::string problem = placeEmitter(*light, osg::Matrixd(), placed);
     if (!problem.empty()) v.fail("a light that can be drawn", "one that " + problem);
+    if (!v.has("image")) return light;
+    const osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->setFileName(v["image"].string());
+    light->setImage(image);
     return light;
 }
 
@@ -93,6 +104,22 @@ std::vector<osg::ref_ptr<AreaLight>> readAreaLights(const JsonValue& list)
     std::vector<osg::ref_ptr<AreaLight>> lights;
     for (size_t i = 0; i < list.size(); ++i) lights.push_back(readAreaLight(list.element(i)));
     return lights;
+}
+
+osg::ref_ptr<AreaLight> loadAreaLight(const AreaLight& light, const osgDB::Options* options, const std::string& file)
+{
+    const osg::ref_ptr<AreaLight> loaded = osg::clone(&light);
+    if (!light.getImage()) return loaded;
+    const std::string name = light.getImage()->getFileName(), at = file + ": key 'lights': '" + name + "': ";
+    osgDB::ReaderWriter::ReadResult result = osgDB::Registry::instance()->readImage(name, options);
+    if (!result.validImage())
+        throw std::runtime_error(at + (osgDB::findDataFile(name, options).empty() ? "no such file" : readMessage(result, name)));
+    loaded->setImage(result.getImage());
+    if (auto* video = dynamic_cast<osg::ImageStream*>(result.getImage())) video->play();
+    Emitter placed;
+    const std::string problem = placeEmitter(*loaded, osg::Matrixd(), placed);
+    if (!problem.empty()) throw std::runtime_error(at + "the light " + problem);
+    return loaded;
 }
 
 }  // namespace osgEnvLight

@@ -157,7 +157,7 @@ try {
     osg::ref_ptr<LitScene> lit = new LitScene;
     for (const std::string& m : models) lit->addChild(loadModel(m, local.get(), fileName));
     setMaterials(*lit, materials, fileName);
-    for (const osg::ref_ptr<AreaLight>& light : areaLights) lit->addChild(osg::clone(light.get()));
+    for (const osg::ref_ptr<AreaLight>& light : areaLights) lit->addChild(loadAreaLight(*light, local.get(), fileName));
     EnvironmentMap& environment = *lit->getEnvironmentMap();
     environment.setLayout(layout);
     environment.setStrict(strict);

@@ -67,6 +67,7 @@ osg::ref_ptr<osg::Image> lightImage(const std::vector<Emitter>& lights, const os
 {
     size_t vertices = 0;
     for (const Emitter& light : lights) vertices = std::max(vertices, light.vertices.size());
+    int pictures = 0;
     osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(int(lights.size()), limits::AREA_LIGHT_ROWS + int(vertices), 1, GL_RGBA, GL_FLOAT);
     image->setInternalTextureFormat(GL_RGBA32F_ARB);
@@ -76,13 +77,43 @@ osg::ref_ptr<osg::Image> lightImage(const std::vector<Emitter>& lights, const os
         writeTexel(*image, unsigned(i), 0, light.center - origin, light.extent() * light.extent());
         writeTexel(*image, unsigned(i), 1, light.radiance,
                    light.shape + (light.twoSided ? 4 : 0) + 8 * int(light.vertices.size()));
-        writeTexel(*image, unsigned(i), 2, u, 0.0);
-        writeTexel(*image, unsigned(i), 3, v, 0.0);
+        writeTexel(*image, unsigned(i), 2, u, light.picture ? pictures++ : -1);
+        writeTexel(*image, unsigned(i), 3, v, light.pictureTurned ? -1.0 : 1.0);
         for (size_t k = 0; k < vertices; ++k)
             writeTexel(*image, unsigned(i), unsigned(limits::AREA_LIGHT_ROWS + k),
                        k < light.vertices.size() ? light.vertices[k] : osg::Vec3d(), 0.0);
     }
     return image;
+}
+
+bool showsPicture(const Emitter& light)
+{
+    return light.picture.valid();
+}
+
+// Points that stand for lights have their pictures' colours themselves.
+bool hasPictures(const FrameContext& c)
+{
+    return !pointsStandForThem(c) && std::any_of(c.areaLights.begin(), c.areaLights.end(), showsPicture);
+}
+
+// A layer each, in the order of the lights.
+osg::ref_ptr<osg::Texture2DArray> pictureTexture(const std::vector<Emitter>& lights)
+{
+    const auto count = int(std::count_if(lights.begin(), lights.end(), showsPicture));
+    osg::ref_ptr<osg::Texture2DArray> texture = new osg::Texture2DArray;
+    texture->setTextureSize(int(EmitterPicture::side), int(EmitterPicture::side), count);
+    texture->setInternalFormat(GL_RGB16F_ARB);
+    texture->setSourceFormat(GL_RGB);
+    texture->setSourceType(GL_FLOAT);
+    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
+    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
+    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
+    texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
+    unsigned layer = 0;
+    for (const Emitter& light : lights)
+        if (light.picture) texture->setImage(layer++, new osg::Image(light.picture->relative()));
+    return texture;
 }
 
 }  // namespace
@@ -126,6 +157,7 @@ void AreaShadowPass::setup(PassBuilder& b, FrameContext& c)
         b.define("HAS_LOBES");
         readLobes(b, c);
     }
+    b.define("HAS_AREA_PICTURES", hasPictures(c));
     drawSurfaces(b);
     writeSums(b, "area sums", "area places");
 }
@@ -163,6 +195,7 @@ osg::Texture2D* AreaLightsPass::lightTexture(const std::vector<Emitter>& lights,
 {
     if (_lights && lights == _list && origin == _origin) return _lights.get();
     _lights = tableTexture(lightImage(lights, origin));
+    _pictures = nullptr;
     _list = lights;
     _origin = origin;
     return _lights.get();
@@ -186,6 +219,12 @@ void AreaLightsPass::setup(PassBuilder& b, FrameContext& c)
         b.define("HAS_AREA_POINTS");
         b.bind(c.emitterPoints, "emitterPointMap");
     }
+    // Where surfaces have no lobes, the points' shadows have the colours.
+    if (hasPictures(c) && (lightsLobes(c) || !b.find("area visibility").valid())) {
+        if (!_pictures) _pictures = pictureTexture(c.areaLights);
+        b.define("HAS_AREA_PICTURES");
+        b.bind(_pictures.get(), "areaPictureMap");
+    }
     const auto isPolygon = [](const Emitter& light) { return light.shape == AreaLight::POLYGON; };
     b.define("HAS_POLYGONS", std::any_of(c.areaLights.begin(), c.areaLights.end(), isPolygon));
     drawSurfaces(b);
@@ -195,6 +234,7 @@ void AreaLightsPass::setup(PassBuilder& b, FrameContext& c)
 void AreaLightsPass::dismiss(FrameContext&)
 {
     _lights = nullptr;
+    _pictures = nullptr;
     _ltcTable = nullptr;
     _list.clear();
 }

@@ -4,6 +4,8 @@
 #include "frame/RenderPass.h"
 #include "passes/MapRefresh.h"
 
+#include <osg/Texture2DArray>
+
 namespace osgEnvLight
 {
 
@@ -69,7 +71,8 @@ class OSGENVLIGHT_EXPORT AreaLightsPass : public RenderPass
 
     osg::ref_ptr<osg::Texture2D> _ltcTable;  // null: no lobe is in view
     osg::ref_ptr<osg::Texture2D> _lights;
-    std::vector<Emitter> _list;  // that it shows, about which origin
+    osg::ref_ptr<osg::Texture2DArray> _pictures;  // null: not asked for yet
+    std::vector<Emitter> _list;                   // that it shows, about which origin
     osg::Vec3d _origin;
 };
 

@@ -88,6 +88,27 @@ EmitterPoint pointAt(const Side& side, double a, double b)
     return point;
 }
 
+// What the picture shows at (a, b) of the rectangle and about it, over as much as one of `count` even parts.
+osg::Vec3d shownAt(const Emitter& light, double a, double b, unsigned count)
+{
+    const double half = 0.5 * std::sqrt(light.area / count);
+    const osg::Vec2d center(a, light.pictureTurned ? 1.0 - b : b);
+    const osg::Vec3d shown = light.picture->mean(center, osg::Vec2d(half / light.u.length(), half / light.v.length()) * 0.5);
+    return osg::componentMultiply(shown, light.tint);
+}
+
+// Together they send what the light does.
+void evenOut(std::vector<EmitterPoint>::iterator first, std::vector<EmitterPoint>::iterator last)
+{
+    osg::Vec3d sum, even;
+    for (auto p = first; p != last; ++p) {
+        sum += p->power;
+        even += p->even;
+    }
+    for (auto p = first; p != last; ++p)
+        for (int i = 0; i < 3; ++i) p->power[i] = sum[i] > 0.0 ? p->power[i] * (even[i] / sum[i]) : p->even[i];
+}
+
 // The points that each side gets: one, and of the rest by flux, by the largest remainders.
 void deal(std::vector<Side>& sides, unsigned count)
 {
@@ -109,13 +130,17 @@ void deal(std::vector<Side>& sides, unsigned count)
 std::vector<EmitterPoint> pointsOf(const std::vector<Side>& sides)
 {
     std::vector<EmitterPoint> points;
-    for (const Side& side : sides)
+    for (const Side& side : sides) {
         for (unsigned k = 0; k < side.points; ++k) {
-            EmitterPoint point = pointAt(side, (k + 0.5) / side.points, std::fmod(k * golden + 0.5, 1.0));
+            const double a = (k + 0.5) / side.points, b = std::fmod(k * golden + 0.5, 1.0);
+            EmitterPoint point = pointAt(side, a, b);
             point.area = side.light->area / side.points;
-            point.power = side.light->radiance * point.area;
+            point.even = side.light->radiance * point.area;
+            point.power = side.light->picture ? shownAt(*side.light, a, b, side.points) * point.area : point.even;
             points.push_back(point);
         }
+        if (side.light->picture) evenOut(points.end() - std::ptrdiff_t(side.points), points.end());
+    }
     return points;
 }
 
@@ -154,7 +179,7 @@ std::vector<EmitterPoint> pointsOfMany(std::vector<Side> sides, unsigned count)
             const auto k = double(points.size());
             EmitterPoint point = pointAt(side, std::fmod(k * golden + 0.5, 1.0), std::fmod(k * golden * golden + 0.25, 1.0));
             point.area = side.light->area;
-            point.power = side.light->radiance * (side.light->area * total / (count * side.flux));
+            point.power = point.even = side.light->radiance * (side.light->area * total / (count * side.flux));
             points.push_back(point);
         }
     }
@@ -173,7 +198,7 @@ std::vector<EmitterPoint> emitterPoints(const std::vector<Emitter>& lights, unsi
         deal(sides, count);
         points = pointsOf(sides);
     }
-    const EmitterPoint dark{osg::Vec3d(), osg::Vec3d(0, 0, 1), osg::Vec3d(), 1.0};
+    const EmitterPoint dark{osg::Vec3d(), osg::Vec3d(0, 0, 1), osg::Vec3d(), osg::Vec3d(), 1.0};
     points.resize(count, dark);
     for (unsigned i = 0; i < count; ++i) {
         points[i].turn = 2.39996322972865332 * i;  // golden angle: neighbours' texels don't fall in step

@@ -13,6 +13,7 @@ struct EmitterPoint {
     osg::Vec3d position;
     osg::Vec3d normal;  // unit, of the side that sends light
     osg::Vec3d power;   // radiance times the part's area
+    osg::Vec3d even;    // the same if the light sent as much from everywhere; of a light without a picture it is the power
     double area = 0.0;  // of the part
 
     // Of its shadow map:
@@ -21,8 +22,8 @@ struct EmitterPoint {
 
     bool operator==(const EmitterPoint& o) const
     {
-        return position == o.position && normal == o.normal && power == o.power && area == o.area && turn == o.turn &&
-               tangent == o.tangent;
+        return position == o.position && normal == o.normal && power == o.power && even == o.even && area == o.area &&
+               turn == o.turn && tangent == o.tangent;
     }
 };
 

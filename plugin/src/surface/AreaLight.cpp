@@ -4,6 +4,7 @@
 #include <osgEnvLight/Material>
 #include "surface/AreaLightPlace.h"
 #include "surface/EmitterMesh.h"
+#include "surface/EmitterPicture.h"
 #include "surface/MaterialMaps.h"
 
 #include <osg/CullFace>
@@ -12,6 +13,8 @@
 #include <osgUtil/CullVisitor>
 
 #include <cmath>
+
+#include "glsl.h"
 
 namespace osgEnvLight
 {
@@ -43,6 +46,19 @@ osg::Vec3d besides(const osg::Vec3d& n)
     return u;
 }
 
+// A copy whose colours are encoded: maps of emission are.
+osg::ref_ptr<osg::Image> encoded(const osg::Image& image)
+{
+    osg::ref_ptr<osg::Image> copy = new osg::Image;
+    copy->allocateImage(image.s(), image.t(), 1, GL_RGB, GL_FLOAT);
+    copy->setInternalTextureFormat(GL_RGB16F_ARB);
+    float* out = reinterpret_cast<float*>(copy->data());
+    for (unsigned y = 0; y < unsigned(image.t()); ++y)
+        for (unsigned x = 0; x < unsigned(image.s()); ++x)
+            for (unsigned k = 0; k < 3; ++k) *out++ = float(glsl::srgbEncode(double(image.getColor(x, y)[k])));
+    return copy;
+}
+
 }  // namespace
 
 AreaLight::AreaLight() : _u(0.5, 0, 0), _v(0, 0.5, 0), _emission(1, 1, 1), _place(new AreaLightPlace(this))
@@ -59,11 +75,13 @@ AreaLight::AreaLight(const AreaLight& other, const osg::CopyOp& copyop)
       _vertices(static_cast<osg::Vec3Array*>(copyop(other._vertices.get()))),
       _quantity(other._quantity),
       _emission(other._emission),
+      _image(static_cast<osg::Image*>(copyop(other._image.get()))),
       _twoSided(other._twoSided),
       _visible(other._visible),
       _place(new AreaLightPlace(this))
 {
     setCullingActive(false);
+    if (_image && _image->requiresUpdateCall()) setNumChildrenRequiringUpdateTraversal(1);
 }
 
 AreaLight::~AreaLight() = default;
@@ -139,6 +157,35 @@ void AreaLight::setEmission(Quantity quantity, const osg::Vec3f& emission)
     _emission = emission;
 }
 
+void AreaLight::setImage(osg::Image* image)
+{
+    const bool updated = _image && _image->requiresUpdateCall(), updates = image && image->requiresUpdateCall();
+    if (updated != updates)
+        setNumChildrenRequiringUpdateTraversal(updates ? getNumChildrenRequiringUpdateTraversal() + 1
+                                                       : getNumChildrenRequiringUpdateTraversal() - 1);
+    {
+        const std::lock_guard<std::mutex> lock(_pictureMutex);
+        _image = image;
+        _picture = nullptr;
+        _pictureProblem.clear();
+    }
+    changed();
+}
+
+// Made anew when the image has changed.
+osg::ref_ptr<const EmitterPicture> AreaLight::picture(std::string& problem) const
+{
+    const std::lock_guard<std::mutex> lock(_pictureMutex);
+    if (!_image) return nullptr;
+    const bool made = _picture || !_pictureProblem.empty();
+    if (!made || _pictureChanges != _image->getModifiedCount()) {
+        _pictureChanges = _image->getModifiedCount();
+        _picture = EmitterPicture::create(*_image, _pictureProblem);
+    }
+    problem = _pictureProblem;
+    return _picture;
+}
+
 void AreaLight::setTwoSided(bool on)
 {
     _twoSided = on;
@@ -150,6 +197,7 @@ void AreaLight::changed()
     const std::lock_guard<std::mutex> lock(_mutex);
     _surfaceMade = false;
     _surface = Surface();  // a draw traversal that still draws the old one holds it
+    _texture = nullptr;
     dirtyBound();
 }
 
@@ -157,6 +205,7 @@ void AreaLight::traverse(osg::NodeVisitor& nv)
 {
     osgUtil::CullVisitor* cv = nv.asCullVisitor();
     if (cv && cv->getCurrentRenderBin() && cv->getModelViewMatrix()) cv->addPositionedAttribute(cv->getModelViewMatrix(), _place);
+    if (nv.getVisitorType() == osg::NodeVisitor::UPDATE_VISITOR && _image && _image->requiresUpdateCall()) _image->update(&nv);
     if (!_visible) return;
     if (cv) return draw(*cv);
     const Surface made = surface();
@@ -169,15 +218,16 @@ void AreaLight::draw(osgUtil::CullVisitor& cv)
     const Surface made = surface();
     if (!made.lit) return;
     osg::Vec3f radiance = _emission;
-    if (_quantity == FLUX) {
+    if (_quantity == FLUX || _image) {
         Emitter placed;
         if (!placeEmitter(*this, osg::computeLocalToWorld(cv.getNodePath()), placed).empty()) return;
-        radiance = osg::Vec3f(placed.radiance);
+        radiance = osg::Vec3f(placed.picture ? placed.tint : placed.radiance);
     }
     const bool mirrored = mirrors(*cv.getModelViewMatrix());
     for (osg::Geometry* side : {made.lit.get(), made.back.get()}) {
         if (!side) continue;
-        const osg::ref_ptr<osg::StateSet> state = drawState(side == made.lit ? radiance : osg::Vec3f(), mirrored);
+        const bool lit = side == made.lit;
+        const osg::ref_ptr<osg::StateSet> state = drawState(lit ? radiance : osg::Vec3f(), mirrored, lit);
         cv.pushStateSet(state);
         side->accept(cv);
         cv.popStateSet();
@@ -205,18 +255,38 @@ AreaLight::Surface AreaLight::surface()
     return _surface;
 }
 
+// An image of floats is copied whenever it changes.
+osg::ref_ptr<osg::Texture2D> AreaLight::texture()
+{
+    if (!_image || _shape != RECTANGLE) return nullptr;
+    if (_texture && (isEncoded(*_image) || _textureChanges == _image->getModifiedCount())) return _texture;
+    _textureChanges = _image->getModifiedCount();
+    _texture = new osg::Texture2D(isEncoded(*_image) ? _image : encoded(*_image));
+    _texture->setResizeNonPowerOfTwoHint(false);
+    _texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
+    _texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
+    return _texture;
+}
+
 // They are made, not changed: a draw traversal may still use the ones before.
-osg::ref_ptr<osg::StateSet> AreaLight::drawState(const osg::Vec3f& radiance, bool mirrored)
+osg::ref_ptr<osg::StateSet> AreaLight::drawState(const osg::Vec3f& radiance, bool mirrored, bool shows)
 {
     const std::lock_guard<std::mutex> lock(_mutex);
+    const osg::ref_ptr<osg::Texture2D> shown = shows ? texture() : nullptr;
     for (const DrawState& state : _drawStates)
-        if (state.radiance == radiance && state.mirrored == mirrored) return state.stateSet;
+        if (state.radiance == radiance && state.mirrored == mirrored && state.texture == shown) return state.stateSet;
     const size_t kept = 8;  // of a light whose radiance changes all the time
     if (_drawStates.size() == kept) _drawStates.erase(_drawStates.begin());
     osg::ref_ptr<osg::StateSet> stateSet = new osg::StateSet;
     stateSet->addUniform(new osg::Uniform(MaterialMaps::light, radiance));
     stateSet->setAttribute(new osg::FrontFace(mirrored ? osg::FrontFace::CLOCKWISE : osg::FrontFace::COUNTER_CLOCKWISE));
-    _drawStates.push_back({radiance, mirrored, stateSet});
+    if (shown) {
+        Material::setEmissionMap(*stateSet, shown);
+        if (isTopFirst(*_image))
+            stateSet->addUniform(new osg::Uniform((std::string(MaterialMaps::emissionMap) + "Transform").c_str(),
+                                                  osg::Matrix3(1, 0, 0, 0, -1, 0, 0, 1, 1)));
+    }
+    _drawStates.push_back({radiance, mirrored, shown, stateSet});
     return stateSet;
 }
 

@@ -38,6 +38,7 @@ std::string orient(bool mirrored, Emitter& e)
 
 std::string placeRectangle(bool mirrored, Emitter& e)
 {
+    e.pictureTurned = mirrored;
     e.area = 4.0 * (e.u ^ e.v).length();
     return orient(mirrored, e);
 }
@@ -123,6 +124,20 @@ std::string placeShape(const AreaLight& light, const osg::Matrixd& matrix, Emitt
     return light.getShape() == AreaLight::DISC ? placeDisc(volumeScale < 0.0, e) : placeRectangle(volumeScale < 0.0, e);
 }
 
+// Radiance is that of white until here; of a light by its flux it is the mean already. A channel that the picture does not have
+// is black.
+void show(const AreaLight& light, const EmitterPicture& picture, Emitter& e)
+{
+    const bool isMean = light.getQuantity() == AreaLight::FLUX;
+    e.picture = &picture;
+    e.image = light.getImage();
+    for (int i = 0; i < 3; ++i) {
+        const double mean = picture.mean()[i];
+        e.tint[i] = isMean ? (mean > 0.0 ? e.radiance[i] / mean : 0.0) : e.radiance[i];
+        e.radiance[i] = e.tint[i] * mean;
+    }
+}
+
 }  // namespace
 
 double Emitter::extent() const
@@ -141,17 +156,19 @@ double Emitter::flux() const
 bool Emitter::operator==(const Emitter& o) const
 {
     return shape == o.shape && center == o.center && u == o.u && v == o.v && vertices == o.vertices && radiance == o.radiance &&
-           twoSided == o.twoSided && drawn == o.drawn;
+           twoSided == o.twoSided && drawn == o.drawn && picture == o.picture && tint == o.tint &&
+           pictureTurned == o.pictureTurned;
 }
 
 bool Emitter::isRounded(const Emitter& o) const
 {
     if (shape != o.shape || twoSided != o.twoSided || drawn != o.drawn || vertices.size() != o.vertices.size()) return false;
+    if (picture != o.picture || pictureTurned != o.pictureTurned) return false;
     const double slack = 1e-13 * center.length() + 1e-9 * extent();
     const auto isNear = [slack](const osg::Vec3d& a, const osg::Vec3d& b) { return (a - b).length() <= slack; };
     return isNear(center, o.center) && isNear(u, o.u) && isNear(v, o.v) &&
            std::equal(vertices.begin(), vertices.end(), o.vertices.begin(), isNear) &&
-           (radiance - o.radiance).length() <= 1e-9 * radiance.length();
+           (radiance - o.radiance).length() <= 1e-9 * radiance.length() && (tint - o.tint).length() <= 1e-9 * tint.length();
 }
 
 Emitter Emitter::moved(const osg::Matrixd& rigid) const
@@ -177,6 +194,11 @@ std::string placeEmitter(const AreaLight& light, const osg::Matrixd& matrix, Emi
     const std::string problem = placeShape(light, matrix, emitter);
     if (!problem.empty()) return problem;
     if (light.getQuantity() == AreaLight::FLUX) emitter.radiance /= (emitter.twoSided ? 2.0 : 1.0) * osg::PI * emitter.area;
+    std::string pictureProblem;
+    const osg::ref_ptr<const EmitterPicture> picture = light.picture(pictureProblem);
+    if (!pictureProblem.empty()) return pictureProblem;
+    if (picture && emitter.shape != AreaLight::RECTANGLE) return "has an image but is no rectangle";
+    if (picture) show(light, *picture, emitter);
     const bool finite = isFinite(emitter.center) && isFinite(emitter.normal) && isFinite(emitter.radiance) &&
                         std::isfinite(emitter.area) && std::isfinite(emitter.extent());
     if (!finite) return notFinite;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgEnvLight/AreaLight>
+#include "surface/EmitterPicture.h"
 
 #include <osg/Matrixd>
 
@@ -17,9 +18,13 @@ struct OSGENVLIGHT_EXPORT Emitter {
     osg::Vec3d center;  // of a polygon, the mean of its vertices
     osg::Vec3d u, v;    // half axes of a rectangle; of a disc, two radii at right angles; of a sphere, u is (radius, 0, 0)
     osg::Vec3d normal;  // unit, of the lit side, along the cross product of u and v; of a sphere, none
-    std::vector<osg::Vec3d> vertices;  // of a polygon, relative to the center, counter-clockwise seen from the lit side
-    std::vector<unsigned> triangles;   // of a polygon: three vertices each, as the vertices turn
-    osg::Vec3d radiance;               // of each lit side; may be black
+    std::vector<osg::Vec3d> vertices;            // of a polygon, relative to the center, counter-clockwise seen from the lit side
+    std::vector<unsigned> triangles;             // of a polygon: three vertices each, as the vertices turn
+    osg::Vec3d radiance;                         // of each lit side, its mean; may be black
+    osg::ref_ptr<const EmitterPicture> picture;  // of a rectangle that shows an image, else null
+    osg::ref_ptr<const osg::Image> image;        // of which the picture was made
+    osg::Vec3d tint;                             // by which the picture's colours are multiplied
+    bool pictureTurned = false;                  // its upper edge is at -v
     bool twoSided = false;
     bool drawn = false;  // its surface is in the scene
     double area = 0.0;   // of one side; of a sphere, all of it

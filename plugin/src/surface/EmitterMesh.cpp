@@ -15,6 +15,7 @@ const unsigned sphereRows = 24;
 struct Triangles {
     osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
     osg::ref_ptr<osg::Vec3Array> normals = new osg::Vec3Array;
+    osg::ref_ptr<osg::Vec2Array> coordinates;  // of a picture; null where there is none
     osg::ref_ptr<osg::DrawElementsUShort> triangles = new osg::DrawElementsUShort(GL_TRIANGLES);
 
     void add(unsigned a, unsigned b, unsigned c)
@@ -55,6 +56,11 @@ Triangles meshOf(const Emitter& e)
     if (e.shape == AreaLight::RECTANGLE)
         for (const osg::Vec3d& corner : {-e.u - e.v, e.u - e.v, e.u + e.v, e.v - e.u})
             mesh.vertices->push_back(e.center + corner);
+    if (e.picture) {
+        mesh.coordinates = new osg::Vec2Array;
+        for (const osg::Vec2& corner : {osg::Vec2(0, 0), osg::Vec2(1, 0), osg::Vec2(1, 1), osg::Vec2(0, 1)})
+            mesh.coordinates->push_back(corner);
+    }
     if (e.shape == AreaLight::DISC) {
         const double angle = 2.0 * osg::PI / discCorners;
         const double scale = std::sqrt(angle / std::sin(angle));  // of the disc's area
@@ -77,6 +83,7 @@ osg::ref_ptr<osg::Geometry> geometryOf(const Triangles& mesh)
     geometry->setUseVertexBufferObjects(true);
     geometry->setVertexArray(mesh.vertices);
     geometry->setNormalArray(mesh.normals, osg::Array::BIND_PER_VERTEX);
+    if (mesh.coordinates) geometry->setTexCoordArray(0, mesh.coordinates);
     geometry->addPrimitiveSet(mesh.triangles);
     geometry->getBound();  // or several culls would compute it at the same time
     return geometry;
