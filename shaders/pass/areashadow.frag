@@ -69,11 +69,13 @@ void main()
         vec3 to = e.position - point;
         float kernel = emitterKernel(e, to, normal);
         if (kernel <= 0.0) continue;
+        float seen = emitterSees(e, point, normal);
+        if (seen < 0.0) continue;
         vec4 w = vec4(e.power, 0.0) * (kernel * e.scale);
 #ifdef HAS_LOBES
         w.a = dot(w.rgb, vec3(1.0 / 3.0)) * lobeWeight(lobe, transpose(mat3(atlasFromEye)) * normalize(to));
 #endif
-        sums.num += emitterSees(e, point, normal) * w;
+        sums.num += seen * w;
 #ifdef HAS_AREA_PICTURES
         w.rgb = evenPower(e) * (kernel * e.scale);
 #endif

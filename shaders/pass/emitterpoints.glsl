@@ -8,7 +8,7 @@
 
 uniform sampler2D emitterMaps;
 uniform sampler2D emitterPointMap; // as pass/pointmap.glsl says, and beside these the area of the point's part; its normal; its radiance
-                                   // times the area; the scale of sums; its power if the light were even
+                                   // times the area; the scale of sums; its power if the light were even, 1 if the light is round
 
 struct EmitterPoint {
     vec3 position;
@@ -52,14 +52,47 @@ float emitterKernel(EmitterPoint e, vec3 to, vec3 n)
     return max(dot(n, to), 0.0) * max(-dot(e.normal, to), 0.0) / (square * (PI * square + e.area));
 }
 
-// 1 if the point is seen from p with unit normal n, else 0; 1 outside its map.
+// 1 if the point is seen from p with unit normal n, else 0. A map's pyramid leaves out what grazes the light. There 1 from a flat light, of
+// which no point knows better. From a round one a negative number: others of its points know, and stand for this one, or a lamp would
+// shine through its shade.
 float emitterSees(EmitterPoint e, vec3 p, vec3 n)
 {
     if (e.map.tangent <= 0.0) return 1.0;
     PointMapView v = pointMapView(emitterPointMap, e.index, e.map, p, n);
-    if (v.place.z <= 0.0) return 1.0;
+    if (v.place.z <= 0.0) {
+        bool grazes = max(abs(v.position.x), abs(v.position.y)) > EMITTER_MAP_TANGENT * v.position.z;
+        return grazes && texelFetch(emitterPointMap, ivec2(e.index, 7), 0).a > 0.5 ? -1.0 : 1.0;
+    }
     vec2 xy = v.place.xy;
     return emitterMapSees(emitterMaps, e.map, v.place, emitterMapRise(e.map, v.position, v.normal, floor(xy) + 0.5 - xy));
+}
+
+// What points send to a surface: all of them, those that know whether they are seen, and those that are.
+struct EmitterSums {
+    vec3 all;
+    vec3 known;
+    vec3 seen;
+};
+
+EmitterSums withPoint(EmitterSums sums, vec3 received, float seen)
+{
+    sums.all += received;
+    if (seen < 0.0) return sums;
+    sums.known += received;
+    sums.seen += seen * received;
+    return sums;
+}
+
+// By which the light of those that are seen makes up for those that do not know.
+vec3 knownScale(EmitterSums sums)
+{
+    return mix(vec3(1.0), sums.all / max(sums.known, vec3(1e-30)), greaterThan(sums.known, vec3(0.0)));
+}
+
+// Where none knows, all are seen.
+vec3 seenLight(EmitterSums sums)
+{
+    return mix(sums.all, knownScale(sums) * sums.seen, greaterThan(sums.known, vec3(0.0)));
 }
 
 #endif

@@ -286,16 +286,24 @@ void addAreaLights(Surface s, Layers layers, inout vec3 glint, inout vec3 diffus
     vec3 point = vec3(emittersFromEye * vec4(s.position, 1.0));
     vec3 normal = worldFromEye * s.normal;
     LobeFrames frames = lobeFrames(s);
+    EmitterSums sums = EmitterSums(vec3(0.0), vec3(0.0), vec3(0.0));
+    vec3 reflected = vec3(0.0);
+    vec3 scattered = vec3(0.0);
     int count = textureSize(emitterPointMap, 0).x;
     for (int i = 0; i < count; ++i) {
         EmitterPoint e = emitterPoint(i);
         vec3 to = e.position - point;
         float kernel = emitterKernel(e, to, normal);
-        if (kernel <= 0.0 || emitterSees(e, point, normal) < 0.5) continue;
+        if (kernel <= 0.0) continue;
+        float seen = emitterSees(e, point, normal);
+        sums = withPoint(sums, kernel * e.power, seen);
+        if (seen <= 0.0) continue;
         vec3 direction = normalize(to);
-        vec3 light = e.power * (kernel / dot(normal, direction));
-        addLight(s, layers, frames, light, direction * worldFromEye, glint, diffuse);
+        vec3 light = e.power * (seen * kernel / dot(normal, direction));
+        addLight(s, layers, frames, light, direction * worldFromEye, reflected, scattered);
     }
+    glint += reflected * knownScale(sums);
+    diffuse += scattered * knownScale(sums);
 }
 #endif
 

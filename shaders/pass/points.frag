@@ -60,14 +60,14 @@ vec3 sunLight(vec3 place, vec3 n)
 // Of all their points.
 vec3 areaLight(vec3 place, vec3 n)
 {
-    vec3 sum = vec3(0.0);
+    EmitterSums sums = EmitterSums(vec3(0.0), vec3(0.0), vec3(0.0));
     int count = textureSize(emitterPointMap, 0).x;
     for (int i = 0; i < count; ++i) {
         EmitterPoint e = emitterPoint(i);
         float kernel = emitterKernel(e, e.position - place - pointsInEmitterMaps, n);
-        if (kernel > 0.0) sum += kernel * emitterSees(e, place + pointsInEmitterMaps, n) * e.power;
+        if (kernel > 0.0) sums = withPoint(sums, kernel * e.power, emitterSees(e, place + pointsInEmitterMaps, n));
     }
-    return sum / radianceScale;
+    return seenLight(sums) / radianceScale;
 }
 #endif
 

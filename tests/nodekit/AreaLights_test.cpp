@@ -190,6 +190,33 @@ TEST_F(AreaLights, ThrowShadows)
 }
 
 // A wall between the light and the floor's other half, down to the floor: not a ray passes.
+// The maps of a sphere's points leave out what grazes them: other points know about it.
+TEST_F(AreaLights, DoNotShineThroughTheirShades)
+{
+    const osg::Vec3d foot(-2, 0, 0);
+    const osg::ref_ptr<AreaLight> lamp = new AreaLight;
+    lamp->setSphere(foot + osg::Vec3d(0, 0, 0.5), 0.05);
+    lamp->setFlux(osg::Vec3f(20, 20, 20));
+    lit->addChild(lamp);
+    const double open = middle()[0];
+    EXPECT_GT(open, 0.01);
+    // Four walls around it, open above and below.
+    const double inner = 0.15, outer = 0.18, low = 0.2, high = 0.8;
+    for (int side = 0; side < 4; ++side) {
+        const double sign = side < 2 ? 1.0 : -1.0;
+        const osg::Vec3d near = side % 2 ? osg::Vec3d(-outer, sign * inner, low) : osg::Vec3d(sign * inner, -outer, low);
+        const osg::Vec3d far = side % 2 ? osg::Vec3d(outer, sign * outer, high) : osg::Vec3d(sign * outer, outer, high);
+        osg::BoundingBoxd box;
+        box.expandBy(foot + near);
+        box.expandBy(foot + far);
+        lit->addChild(makeBox(box._min, box._max));
+    }
+    EXPECT_LT(middle()[0], 0.01 * open);
+    // Below it is light.
+    const Picture p = renderer.render(lit, 1);
+    EXPECT_GT(at(p, foot + osg::Vec3d(0.05, 0, 0))[0], open);
+}
+
 TEST_F(AreaLights, DoNotShineThroughWalls)
 {
     const osg::ref_ptr<AreaLight> light = makeRectangle();

@@ -167,7 +167,7 @@ osg::ref_ptr<osg::Image> EmitterMaps::pointImage() const
         writeTexel(*image, i, 3, map.across, -(drawnFrom * map.across));
         writeTexel(*image, i, 4, map.up, -(drawnFrom * map.up));
         writeTexel(*image, i, 5, map.along, -(drawnFrom * map.along));
-        writeTexel(*image, i, 7, point.even, 0.0);
+        writeTexel(*image, i, 7, point.even, point.isRound ? 1.0 : 0.0);
         writeTexel(*image, i, 6, osg::Vec3d(map.window[0], map.window[1], sumScale), map.drawn ? map.tangent : 0.0);
     }
     return image;

@@ -21,6 +21,9 @@ const double golden = 0.61803398874989485;
 // Off the surface, in shares of its width: what is drawn of the light then lies behind the point's map.
 const double lift = 1e-4;
 
+// With fewer points on a sphere there are places that none of them faces.
+const unsigned leastRound = 6;
+
 // A side of a light that sends light.
 struct Side {
     const Emitter* light;
@@ -135,6 +138,7 @@ std::vector<EmitterPoint> pointsOf(const std::vector<Side>& sides)
             const double a = (k + 0.5) / side.points, b = std::fmod(k * golden + 0.5, 1.0);
             EmitterPoint point = pointAt(side, a, b);
             point.area = side.light->area / side.points;
+            point.isRound = side.light->shape == AreaLight::SPHERE && side.points >= leastRound;
             point.even = side.light->radiance * point.area;
             point.power = side.light->picture ? shownAt(*side.light, a, b, side.points) * point.area : point.even;
             points.push_back(point);

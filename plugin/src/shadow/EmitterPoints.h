@@ -11,10 +11,11 @@ namespace osgEnvLight
 /** A point that stands for a part of an area light, or for several small lights. */
 struct EmitterPoint {
     osg::Vec3d position;
-    osg::Vec3d normal;  // unit, of the side that sends light
-    osg::Vec3d power;   // radiance times the part's area
-    osg::Vec3d even;    // the same if the light sent as much from everywhere; of a light without a picture it is the power
-    double area = 0.0;  // of the part
+    osg::Vec3d normal;     // unit, of the side that sends light
+    osg::Vec3d power;      // radiance times the part's area
+    osg::Vec3d even;       // the same if the light sent as much from everywhere; of a light without a picture it is the power
+    double area = 0.0;     // of the part
+    bool isRound = false;  // other points of the light face where this one does not
 
     // Of its shadow map:
     double turn = 0.0;     // about the normal
@@ -23,7 +24,7 @@ struct EmitterPoint {
     bool operator==(const EmitterPoint& o) const
     {
         return position == o.position && normal == o.normal && power == o.power && even == o.even && area == o.area &&
-               turn == o.turn && tangent == o.tangent;
+               isRound == o.isRound && turn == o.turn && tangent == o.tangent;
     }
 };
 
