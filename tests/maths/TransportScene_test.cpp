@@ -31,7 +31,7 @@ TracedScene makeBody()
 
 CasterMesh meshOf(const TracedScene& scene)
 {
-    return {scene.positions, scene.triangles};
+    return {scene.positions, scene.triangles, {}};
 }
 
 const float* texel(const osg::Texture2D& texture, int i)

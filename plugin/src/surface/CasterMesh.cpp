@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "surface/CasterMesh.h"
 
-#include <osg/TriangleIndexFunctor>
 #include <osg/Array>
+#include <osg/BoundingBox>
+#include <osg/TriangleIndexFunctor>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
 #include <unordered_map>
 
 namespace osgEnvLight
@@ -73,6 +76,53 @@ Mesh read(const Caster& caster, const osg::Vec3d& origin)
     return mesh;
 }
 
+// at: the numbers of the vertices' places.
+bool isClosedSurface(const Mesh& mesh, const std::vector<Triangle>& triangles, const std::vector<unsigned>& at)
+{
+    std::unordered_map<uint64_t, int> edges;  // a number one way, its negative the other
+    double volume = 0.0;
+    for (const Triangle& t : triangles) {
+        const osg::Vec3d a = mesh.positions[t[0]], b = mesh.positions[t[1]], c = mesh.positions[t[2]];
+        volume += a * (b ^ c);
+        for (int k = 0; k < 3; ++k) {
+            const uint64_t from = at[t[size_t(k)]], to = at[t[size_t((k + 1) % 3)]];
+            if (from == to) continue;
+            edges[std::min(from, to) << 32 | std::max(from, to)] += from < to ? 1 : -1;
+        }
+    }
+    const auto isEven = [](const auto& edge) { return edge.second == 0; };
+    return volume > 0.0 && std::all_of(edges.begin(), edges.end(), isEven);
+}
+
+// Numbers places so that those that differ by rounding have the same number.
+class Places
+{
+  public:
+    Places(const osg::Vec3f& low, float cell) : _low(low), _cell(cell) {}
+
+    unsigned number(const osg::Vec3f& p)
+    {
+        // The cell of the place, and those beyond the borders that are near.
+        std::array<std::array<int, 2>, 3> along;
+        for (int k = 0; k < 3; ++k) {
+            const float place = (p[k] - _low[k]) / _cell;
+            const int own = int(std::floor(place));
+            along[size_t(k)] = {own, own + (place - float(own) < 0.5f ? -1 : 1)};
+        }
+        for (size_t i = 0; i < 8; ++i) {
+            const auto found = _numbers.find({along[0][i & 1], along[1][i >> 1 & 1], along[2][i >> 2]});
+            if (found != _numbers.end()) return found->second;
+        }
+        return _numbers.emplace(std::array<int, 3>{along[0][0], along[1][0], along[2][0]}, unsigned(_numbers.size()))
+            .first->second;
+    }
+
+  private:
+    osg::Vec3f _low;
+    float _cell;
+    std::map<std::array<int, 3>, unsigned> _numbers;
+};
+
 struct CellHash {
     size_t operator()(const std::array<long, 3>& c) const
     {
@@ -111,6 +161,9 @@ Mesh merged(const Mesh& mesh, double cell)
         std::rotate(m.begin(), std::min_element(m.begin(), m.end()), m.end());
         if (m[0] != m[1] && m[1] != m[2] && m[2] != m[0]) result.triangles.push_back(m);
     }
+    std::vector<unsigned> own(result.positions.size());
+    std::iota(own.begin(), own.end(), 0u);
+    result.closed = isClosedSurface(result, result.triangles, own);  // before some of them go
     std::sort(result.triangles.begin(), result.triangles.end());
     result.triangles.erase(std::unique(result.triangles.begin(), result.triangles.end()), result.triangles.end());
     return result;
@@ -133,6 +186,19 @@ Mesh coarsened(Mesh&& mesh, double cell)
 CasterMesh coarseMesh(const Caster& caster, const osg::Vec3d& origin, double cell)
 {
     return coarsened(read(caster, origin), cell);
+}
+
+bool isClosed(const CasterMesh& mesh)
+{
+    if (mesh.closed) return *mesh.closed;
+    osg::BoundingBoxf box;
+    for (const osg::Vec3f& p : mesh.positions) box.expandBy(p);
+    if (!box.valid()) return false;
+    // Corners with normals of their own are several vertices at one place, and a sphere's pole may be many that nearly are.
+    Places places(box._min, 1e-5f * (box._max - box._min).length() + 1e-30f);
+    std::vector<unsigned> at;
+    for (const osg::Vec3f& p : mesh.positions) at.push_back(places.number(p));
+    return isClosedSurface(mesh, mesh.triangles, at);
 }
 
 }  // namespace osgEnvLight

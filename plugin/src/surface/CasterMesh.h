@@ -4,6 +4,7 @@
 #include "surface/CasterCollector.h"
 
 #include <array>
+#include <optional>
 
 namespace osgEnvLight
 {
@@ -11,11 +12,15 @@ namespace osgEnvLight
 struct CasterMesh {
     std::vector<osg::Vec3f> positions;  // about an origin
     std::vector<std::array<unsigned, 3>> triangles;
+    std::optional<bool> closed;  // whether the caster's surface was, where merging vertices hides it
 };
 
 /** A caster's triangles about origin. Where they are finer than cell [world units], their vertices are merged within cells of
  * that size, a half or a quarter of it [Rossignac and Borrel 1993], each at the mean of those it stands for: flat and coarse
  * surfaces stay exact. A caster that would lose a tenth of its area, as leaves and rods do, stays as it is. */
 OSGENVLIGHT_EXPORT CasterMesh coarseMesh(const Caster& caster, const osg::Vec3d& origin, double cell);
+
+/** Whether each edge is one of two triangles, which run along it in opposite directions, and the triangles face outwards. */
+OSGENVLIGHT_EXPORT bool isClosed(const CasterMesh& mesh);
 
 }  // namespace osgEnvLight
