@@ -139,6 +139,9 @@ void Scene::write(const std::string& folder) const
     osg::ref_ptr<osgDB::Options> options = new osgDB::Options("WriteImageHint=IncludeData");
     if (!osgDB::writeNodeFile(*_root, folder + "/" + model, options)) throw std::runtime_error("cannot write " + path + ".osgb");
 
+    for (const auto& [name, image] : _images)
+        if (!osgDB::writeImageFile(*image, folder + "/" + name)) throw std::runtime_error("cannot write " + folder + "/" + name);
+
     std::ofstream file(path + ".envlight");
     file << "{\n    \"model\": \"" << model << "\",\n    \"environment\": { \"map\": \"" << _environment.map
          << "\", \"rotation\": " << _environment.rotation << ", \"intensity\": " << _environment.intensity

@@ -5,6 +5,7 @@
 #include "Mesh.h"
 
 #include <osg/Group>
+#include <osg/Image>
 
 #include <map>
 #include <string>
@@ -58,6 +59,9 @@ class Scene
     /// An area light, as an entry of "lights" in the .envlight file.
     void addLight(const std::string& description) { _lights.push_back(description); }
 
+    /// An image file beside the .envlight file, for lights.
+    void addImage(const std::string& fileName, osg::Image* image) { _images[fileName] = image; }
+
     /// Throws std::runtime_error when a file cannot be written.
     void write(const std::string& folder) const;
 
@@ -68,12 +72,14 @@ class Scene
     std::map<std::string, Material> _materials;
     std::map<std::string, osg::ref_ptr<osg::StateSet>> _states;
     std::vector<std::string> _lights;
+    std::map<std::string, osg::ref_ptr<osg::Image>> _images;
     osg::ref_ptr<osg::Group> _root;
 };
 
 Scene chess();
 Scene atrium();
 Scene cornell();
+Scene livingRoom();
 Scene swing();
 Scene materialSpheres();
 
