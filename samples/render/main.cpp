@@ -3,13 +3,18 @@
 #include "HeadlessViewer.h"
 #include "ImageFile.h"
 #include "PluginPath.h"
+#include "ProgressBar.h"
 #include "Statistics.h"
+#include "Views.h"
 
 #include <metrics/Display>
 
 #include <osgDB/FileNameUtils>
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cstdio>
 #include <stdexcept>
 
 namespace
@@ -21,6 +26,7 @@ struct Arguments {
     std::string term;
     int frames = 0;
     double error = 0.0;
+    Views views;
     std::string statistics;
 };
 
@@ -35,6 +41,7 @@ void addOptions(CommandLine& line, Arguments& a)
     line.add("--error", a.error,
              "let it converge until its estimated standard error is this share of its mean, or for --frames, or 4096, frames")
         .within(1e-6, 1.0);
+    a.views.addTo(line);
     line.add("--stats", a.statistics, "JSON file for plan and times");
     line.add("-o,--output", a.output, "OUT.exr (linear radiance) or OUT.png (exposed and tone mapped)").required();
 }
@@ -56,6 +63,35 @@ void draw(HeadlessViewer& viewer, const osgEnvLight::LitScene& lit, const Argume
     }
 }
 
+// Under another name until it is whole: a picture that is there is complete, whoever makes it.
+void write(HeadlessViewer& viewer, const std::string& file)
+{
+    const bool linear = osgDB::getLowerCaseFileExtension(file) == "exr";
+    const std::string part = osgDB::getNameLessExtension(file) + ".part" + std::to_string(getpid()) + (linear ? ".exr" : ".png");
+    writeImageFile(linear ? *viewer.image() : *osgEnvLight::eightBit(viewer.picture()), part);
+    if (std::rename(part.c_str(), file.c_str()) == 0) return;
+    std::remove(part.c_str());
+    throw std::runtime_error(file + ": can't be written");
+}
+
+void drawViews(HeadlessViewer& viewer, osgEnvLight::LitScene& lit, const Arguments& a, Statistics& statistics)
+{
+    const std::vector<osgEnvLight::HomeView> views = a.views.of(lit, a.scene);
+    const auto fileOf = [&a](size_t i) { return a.views.several() ? numbered(a.output, i) : a.output; };
+    std::vector<size_t> wanted;
+    for (size_t i = 0; i < views.size(); ++i)
+        if (a.views.makes(i, fileOf(i))) wanted.push_back(i);
+    ProgressBar bar(wanted.size() < 2);
+    for (size_t k = 0; k < wanted.size(); ++k) {
+        const std::string file = fileOf(wanted[k]);
+        bar.show(double(k) / double(wanted.size()), file);
+        viewer.setView(views[wanted[k]]);
+        statistics.frames = 0;
+        draw(viewer, lit, a, statistics);
+        write(viewer, file);
+    }
+}
+
 int run(Arguments& a)
 {
     a.scene.check();
@@ -70,8 +106,7 @@ int run(Arguments& a)
     HeadlessViewer viewer(*lit, a.scene);
     Statistics statistics{a.scene.scene, a.scene.width, a.scene.height};
     lit->setTimed(!a.statistics.empty());
-    draw(viewer, *lit, a, statistics);
-    writeImageFile(extension == "exr" ? *viewer.image() : *osgEnvLight::eightBit(viewer.picture()), a.output);
+    drawViews(viewer, *lit, a, statistics);
     std::string error;
     if (!a.statistics.empty() && !statistics.write(a.statistics, *lit, viewer.context(), error)) throw std::runtime_error(error);
     return 0;

@@ -6,7 +6,7 @@
 
 #include <chrono>
 
-HeadlessViewer::HeadlessViewer(osgEnvLight::LitScene& lit, const SceneOptions& options) : _lit(lit)
+HeadlessViewer::HeadlessViewer(osgEnvLight::LitScene& lit, const SceneOptions& options) : _lit(lit), _options(options)
 {
     _viewer.setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
     _viewer.setUseConfigureAffinity(false);  // else this process would run on one processor
@@ -25,6 +25,11 @@ HeadlessViewer::HeadlessViewer(osgEnvLight::LitScene& lit, const SceneOptions& o
 HeadlessViewer::~HeadlessViewer()
 {
     _lit.releaseGLObjects(_window->getState());
+}
+
+void HeadlessViewer::setView(const osgEnvLight::HomeView& view)
+{
+    _options.setCamera(view, *_viewer.getCamera());
 }
 
 double HeadlessViewer::draw(double time)

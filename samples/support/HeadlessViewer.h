@@ -19,6 +19,9 @@ class HeadlessViewer
     HeadlessViewer(const HeadlessViewer&) = delete;
     HeadlessViewer& operator=(const HeadlessViewer&) = delete;
 
+    /** From the next frame on. */
+    void setView(const osgEnvLight::HomeView& view);
+
     /** One frame at the scene's own time [s], not the clock's. The milliseconds until the GPU is done. */
     double draw(double time);
 
@@ -31,6 +34,7 @@ class HeadlessViewer
   private:
     HeadlessContext _context;
     osgEnvLight::LitScene& _lit;
+    const SceneOptions _options;
     osgViewer::Viewer _viewer;
     osg::ref_ptr<osgViewer::GraphicsWindowEmbedded> _window;
     osg::ref_ptr<osg::Texture2D> _texture;

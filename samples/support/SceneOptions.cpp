@@ -119,24 +119,26 @@ std::optional<osgEnvLight::HomeView> SceneOptions::chosenView(const osgEnvLight:
     return view;
 }
 
-void SceneOptions::setCamera(osgEnvLight::LitScene& lit, osg::Camera& camera) const
+osgEnvLight::HomeView SceneOptions::view(osgEnvLight::LitScene& lit) const
 {
-    const auto view = chosenView(lit);
+    if (const auto chosen = chosenView(lit)) return *chosen;
     // Without a view of its own a scene is seen as osgviewer starts: the opening angle of a screen as DisplaySettings
     // gives it, and the manipulator's home.
     const osg::DisplaySettings& screen = *osg::DisplaySettings::instance();
-    double angle = osg::RadiansToDegrees(2.0 * std::atan2(0.5 * screen.getScreenHeight(), double(screen.getScreenDistance())));
-    if (view) angle = view->fovy;
-    if (fovy) angle = *fovy;
-    camera.setProjectionMatrixAsPerspective(angle, double(width) / height, 1.0, 10000.0);
-    if (view) {
-        camera.setViewMatrixAsLookAt(view->eye, view->target, view->up);
-        return;
-    }
+    osgEnvLight::HomeView home;
+    home.fovy = osg::RadiansToDegrees(2.0 * std::atan2(0.5 * screen.getScreenHeight(), double(screen.getScreenDistance())));
+    if (fovy) home.fovy = *fovy;
+    const osg::ref_ptr<osg::Camera> camera = new osg::Camera;
+    camera->setProjectionMatrixAsPerspective(home.fovy, double(width) / height, 1.0, 10000.0);
     osg::ref_ptr<osgGA::TrackballManipulator> manipulator = new osgGA::TrackballManipulator;
     manipulator->setNode(&lit);
-    manipulator->computeHomePosition(&camera, false);
-    osg::Vec3d homeEye, homeTarget, homeUp;
-    manipulator->getHomePosition(homeEye, homeTarget, homeUp);
-    camera.setViewMatrixAsLookAt(homeEye, homeTarget, homeUp);
+    manipulator->computeHomePosition(camera, false);
+    manipulator->getHomePosition(home.eye, home.target, home.up);
+    return home;
+}
+
+void SceneOptions::setCamera(const osgEnvLight::HomeView& view, osg::Camera& camera) const
+{
+    camera.setProjectionMatrixAsPerspective(view.fovy, double(width) / height, 1.0, 10000.0);
+    camera.setViewMatrixAsLookAt(view.eye, view.target, view.up);
 }

@@ -41,8 +41,12 @@ struct SceneOptions {
     /** Those of --set. Throws BadArguments. */
     void applySettings(osgEnvLight::Settings& changed) const;
 
-    /** Projection and view: of the command line, else the scene's own, else osgviewer's home position. */
-    void setCamera(osgEnvLight::LitScene& lit, osg::Camera& camera) const;
+    /** Of the command line, else the scene's own, else osgviewer's home position. */
+    osgEnvLight::HomeView view(osgEnvLight::LitScene& lit) const;
+
+    /** The camera's projection and view. */
+    void setCamera(const osgEnvLight::HomeView& view, osg::Camera& camera) const;
+    void setCamera(osgEnvLight::LitScene& lit, osg::Camera& camera) const { setCamera(view(lit), camera); }
 
     /** The camera of the command line, else the scene's, else none. */
     std::optional<osgEnvLight::HomeView> chosenView(const osgEnvLight::LitScene& lit) const;

@@ -139,6 +139,20 @@ try {
     return false;
 }
 
+bool readCameras(std::istream& in, const std::string& name, std::vector<HomeView>& result, std::string& error)
+try {
+    const json j = parseJson(in, name);
+    const Value list(j, name, "");
+    if (!j.is_array() || j.empty()) list.fail("a list of cameras");
+    std::vector<HomeView> cameras;
+    for (size_t i = 0; i < list.size(); ++i) cameras.push_back(readView(list.element(i)));
+    result = std::move(cameras);
+    return true;
+} catch (const std::exception& e) {
+    error = e.what();
+    return false;
+}
+
 bool SceneDescription::readFile(const std::string& name, const osgDB::Options* options, std::string& error)
 {
     const std::string path = osgDB::findDataFile(name, options);
