@@ -78,7 +78,7 @@ std::shared_ptr<const TextureImage> readPicture(const osg::Image* image)
     texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
     texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
     std::string reason;
-    return TextureImage::create(*texture, image->getDataType() != GL_UNSIGNED_BYTE, reason);
+    return TextureImage::create(*texture, !isEncoded(*image), reason);
 }
 
 }  // namespace

@@ -102,6 +102,11 @@ TEST(EmitterPicture, BytesAreDecodedAndTheirOrderIsKept)
     gray->allocateImage(1, 1, 1, GL_LUMINANCE, GL_UNSIGNED_BYTE);
     gray->data()[0] = 255;
     expectNear(osg::Vec3d(1, 1, 1), made(*gray)->mean(), 1e-6, "luminance");
+    osg::ref_ptr<osg::Image> fine = new osg::Image;
+    fine->allocateImage(1, 1, 1, GL_RGB, GL_UNSIGNED_SHORT);
+    for (unsigned k = 0; k < 3; ++k) reinterpret_cast<unsigned short*>(fine->data())[k] = 32768;
+    const double half = std::pow((32768 / 65535.0 + 0.055) / 1.055, 2.4);
+    expectNear(osg::Vec3d(half, half, half), made(*fine)->mean(), 1e-6, "16 bits");
 }
 
 TEST(EmitterPicture, TheTopOfAnImageFromTheTopIsUp)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Contexts come and go, one after the other and several at once, and the node lights in each of them as a new one would.
 #include <OnScreen.h>
+#include <Halves.h>
 #include <SceneRenderer.h>
 
 #include <osgEnvLight/AreaLight>
@@ -33,7 +34,8 @@ osg::ref_ptr<LitScene> makeSunny()
     lit->getSettings()->areaPoints = 16;
     lit->getSettings()->areaMapSize = 32;
     const osg::ref_ptr<osgEnvLight::AreaLight> lamp = new osgEnvLight::AreaLight;
-    lamp->setSphere(osg::Vec3d(-1, -1, 1.5), 0.2);
+    lamp->setImage(makeHalves());
+    lamp->setRectangle(osg::Vec3d(-1, -1, 1.5), osg::Vec3d(0.2, 0, 0), osg::Vec3d(0, -0.2, 0));
     lit->addChild(lamp);
     lit->getSettings()->sceneLightMapSize = 32;
     const osg::ref_ptr<osg::LightSource> light = new osg::LightSource;

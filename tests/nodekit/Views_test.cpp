@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Several views, viewports, sizes, parents and threading models, on a display.
 #include <OnScreen.h>
+#include <Halves.h>
 #include <SceneRenderer.h>
 
 #include <osgEnvLight/AreaLight>
@@ -96,6 +97,7 @@ osg::ref_ptr<osg::Image> run(osgViewer::ViewerBase::ThreadingModel model, bool t
     lit->getSettings()->areaPoints = 16;
     lit->getSettings()->areaMapSize = 32;
     const osg::ref_ptr<osgEnvLight::AreaLight> lamp = new osgEnvLight::AreaLight;
+    lamp->setImage(makeHalves());
     lit->addChild(lamp);
     lit->getSettings()->sceneLightMapSize = 32;
     const osg::ref_ptr<osg::LightSource> spot = new osg::LightSource;

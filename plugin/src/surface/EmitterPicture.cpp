@@ -106,7 +106,8 @@ bool isTopFirst(const osg::Image& image)
 
 bool isEncoded(const osg::Image& image)
 {
-    return image.getDataType() == GL_UNSIGNED_BYTE;
+    const GLenum type = image.getDataType();
+    return type != GL_FLOAT && type != GL_HALF_FLOAT_ARB && type != GL_DOUBLE;
 }
 
 osg::ref_ptr<const EmitterPicture> EmitterPicture::create(const osg::Image& image, std::string& problem)

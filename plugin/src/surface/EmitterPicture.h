@@ -21,7 +21,7 @@ class OSGENVLIGHT_EXPORT EmitterPicture : public osg::Referenced
   public:
     static constexpr unsigned side = 256;  // cells
 
-    /** 8-bit images are sRGB encoded, images of floats are linear.
+    /** Images of floats are linear, others sRGB encoded.
      * @return  null if the image can't send light
      * @param problem  receives why, as a sentence's end ("has a compressed image") */
     static osg::ref_ptr<const EmitterPicture> create(const osg::Image& image, std::string& problem);
@@ -48,7 +48,7 @@ class OSGENVLIGHT_EXPORT EmitterPicture : public osg::Referenced
 
 /** Whether the first row of the image is its top one. */
 bool isTopFirst(const osg::Image& image);
-/** Whether its colours are sRGB encoded. */
-bool isEncoded(const osg::Image& image);
+/** Whether its colours are sRGB encoded: those of all but floats are. */
+OSGENVLIGHT_EXPORT bool isEncoded(const osg::Image& image);
 
 }  // namespace osgEnvLight
