@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What area lights show. Of a light that shows a picture, closed forms are those of its mean radiance; here is by how much the part of it
-// that a lobe meets differs from that: the first of the two ratios of area-lights.md 0.
+// Pictures on area lights. Closed forms use a light's mean radiance. This file gives the factor from that to the mean radiance of the
+// part that a lobe sees: the first of the two ratios of area-lights.md 0.
 #ifndef AREAPICTURES_GLSL
 #define AREAPICTURES_GLSL
 
@@ -35,9 +35,9 @@ struct PictureView {
     float area;
 };
 
-// What the picture shows at place, from -1 to 1 each way, in the unit direction l, times its weight; alpha: the weight. It is one of the
-// samples of the lobe or of the light. By the balance heuristic they count as if all were drawn by the sum of both densities. Each stands for
-// its share of that sum, which chooses the level of detail.
+// One sample: the picture's colour at place, times the sample's weight; alpha: the weight. place: from -1 to 1 each way. l: the unit
+// direction to it. Samples of the lobe and of the light are weighted by the balance heuristic [Veach 1997]. The joint density of both
+// gives the sample's share of the picture, and that share the level of detail.
 vec4 shownAt(PictureView v, vec2 place, vec3 l, float squareDistance)
 {
     float slant = -dot(v.normal, l) * 4.0 / v.area;
@@ -46,7 +46,7 @@ vec4 shownAt(PictureView v, vec2 place, vec3 l, float squareDistance)
     float samples = float(LOBE_SAMPLES) * density + float(SIDE_SAMPLES * SIDE_SAMPLES) * squareDistance / (v.area * slant);
     float part = squareDistance / (slant * v.area * samples);
     float side = float(textureSize(areaPictureMap, 0).x);
-    // A sample that leaves the picture does so by and by, as its share does.
+    // A sample fades out as its share leaves the picture, or bands would show.
     float inside = clamp(0.5 + (1.0 - max(abs(place.x), abs(place.y))) / (4.0 * sqrt(part)), 0.0, 1.0);
     vec2 st = 0.5 + 0.5 * clamp(vec2(place.x, place.y * v.light.pictureUp), -1.0, 1.0);
     float lod = 0.5 * log2(part) + log2(side) - 1.0;

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: MIT
 // What area lights a pixel sees: it takes a sixteenth of their points and sums what these send to it, those that it sees (num) and all
 // (den) [area-lights.md 5, "O pass"]. The filter averages both over a 4x4 cell; their ratio dims the closed forms. Alpha: the same sums,
-// weighted by the pixel's lobe. Where lights show pictures, the sum of all is as if these were even: the ratio has their colours, too.
+// weighted by the pixel's lobe. A light with a picture has its mean radiance in den, so that the ratio also holds the picture's colours.
 #pragma import_defines(HAS_LOBES, HAS_AREA_PICTURES)
 
 #include "lib/frame.glsl"

@@ -52,9 +52,9 @@ float emitterKernel(EmitterPoint e, vec3 to, vec3 n)
     return max(dot(n, to), 0.0) * max(-dot(e.normal, to), 0.0) / (square * (PI * square + e.area));
 }
 
-// 1 if the point is seen from p with unit normal n, else 0. A map's pyramid leaves out what grazes the light. There 1 from a flat light, of
-// which no point knows better. From a round one a negative number: others of its points know, and stand for this one, or a lamp would
-// shine through its shade.
+// 1 if the surface at p with unit normal n sees the point, else 0. The point's map is a pyramid and does not reach directions that graze
+// the light. There a flat light counts as seen: none of its points reaches them. A round light gives -1, unknown: other points of it face
+// there and replace this one. Without that, a lamp shines through its shade.
 float emitterSees(EmitterPoint e, vec3 p, vec3 n)
 {
     if (e.map.tangent <= 0.0) return 1.0;
@@ -83,7 +83,7 @@ EmitterSums withPoint(EmitterSums sums, vec3 received, float seen)
     return sums;
 }
 
-// By which the light of those that are seen makes up for those that do not know.
+// The factor by which the points that know replace those that do not.
 vec3 knownScale(EmitterSums sums)
 {
     return mix(vec3(1.0), sums.all / max(sums.known, vec3(1e-30)), greaterThan(sums.known, vec3(0.0)));

@@ -9,8 +9,8 @@
 namespace osgEnvLight
 {
 
-/** A thread that may run on any processor. A new thread inherits the processors of the one that makes it, and OSG's viewers bind theirs to
- * the first one: without this a worker would take turns with the thread that draws. */
+/** Start a thread that may run on any processor. OSG's viewers bind the thread that draws to the first processor, and a new
+ * thread inherits that: a plain std::thread would share the processor with the drawing. */
 OSGENVLIGHT_EXPORT std::thread startWorker(std::function<void()> run);
 
 }  // namespace osgEnvLight
