@@ -11,10 +11,7 @@
 
 #include <osgDB/FileNameUtils>
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdio>
 #include <stdexcept>
 
 namespace
@@ -63,15 +60,10 @@ void draw(HeadlessViewer& viewer, const osgEnvLight::LitScene& lit, const Argume
     }
 }
 
-// Under another name until it is whole: a picture that is there is complete, whoever makes it.
 void write(HeadlessViewer& viewer, const std::string& file)
 {
     const bool linear = osgDB::getLowerCaseFileExtension(file) == "exr";
-    const std::string part = osgDB::getNameLessExtension(file) + ".part" + std::to_string(getpid()) + (linear ? ".exr" : ".png");
-    writeImageFile(linear ? *viewer.image() : *osgEnvLight::eightBit(viewer.picture()), part);
-    if (std::rename(part.c_str(), file.c_str()) == 0) return;
-    std::remove(part.c_str());
-    throw std::runtime_error(file + ": can't be written");
+    writeWholeImageFile(linear ? *viewer.image() : *osgEnvLight::eightBit(viewer.picture()), file);
 }
 
 void drawViews(HeadlessViewer& viewer, osgEnvLight::LitScene& lit, const Arguments& a, Statistics& statistics)
