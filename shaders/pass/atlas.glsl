@@ -10,7 +10,7 @@
 uniform sampler2D atlasMap;
 uniform sampler2D atlasLightMap; // rows 4q .. 4q + 3 of group q: texels across, texels up, height, each with its
                                  // offset, and flux with the solid angle, negative where there is no map yet
-uniform usampler2D nearestLightMap; // by direction, octahedral: the numbers of the lights nearest to it, a byte each
+uniform usampler2D nearestLightMap; // ShadowAtlas::nearestImage()
 uniform int atlasSize;           // of a map, in texels
 uniform float atlasShare;        // one over that
 uniform float atlasTexel;        // its side in the world

@@ -15,6 +15,7 @@
 
 // Narrower lobes would see the nearest light alone, and show a step where another becomes the nearest.
 const float LEAST_LIT_ROUGHNESS = 0.1;
+const int LEAST_NEAR_LIGHTS = 4;
 
 // A pixel's lobe in the frame of the lights.
 struct PixelLobe {
@@ -23,21 +24,29 @@ struct PixelLobe {
     Bsdf bsdf;
     float dealt;    // weight of the lights that are not near it: in a narrow lobe's tails a pixel has too few, and they are noise
     int near;       // how many lights near its direction each pixel evaluates
-    uvec4 nearest;  // their numbers, as in nearestLightMap
-    uint nearOwn;   // bit i: light i of the pixel's own group is one of them
+    uvec4 nearest;  // their numbers, two in each component, as in nearestLightMap
+    uvec4 further;
+    uvec2 nearOwn;  // bit i: light i of the pixel's own group is one of them, 32 lights a component
 };
 
 PixelLobe pixelLobe(mat3 lightsFromLocal, vec3 view, Bsdf bsdf)
 {
     float dealt = smoothstep(DEALT_ROUGHNESS.x, DEALT_ROUGHNESS.y, evenRoughness(bsdf));
-    return PixelLobe(lightsFromLocal, view, bsdf, dealt, 0, uvec4(0u), 0u);
+    return PixelLobe(lightsFromLocal, view, bsdf, dealt, 0, uvec4(0u), uvec4(0u), uvec2(0u));
 }
 
 // Number of the k-th near light. No component is chosen by an index: software renderers would keep the vector in memory.
 int nearLight(PixelLobe lobe, int k)
 {
-    uvec2 two = k < 8 ? lobe.nearest.xy : lobe.nearest.zw;
-    return int(((k & 4) == 0 ? two.x : two.y) >> uint(8 * (k & 3)) & 255u);
+    uvec4 eight = k < 8 ? lobe.nearest : lobe.further;
+    uvec2 four = (k & 4) == 0 ? eight.xy : eight.zw;
+    return int(((k & 2) == 0 ? four.x : four.y) >> uint(16 * (k & 1)) & 0xffffu);
+}
+
+// Whether light i of the pixel's own group is a near one.
+bool isNear(PixelLobe lobe, int i)
+{
+    return ((i < 32 ? lobe.nearOwn.x : lobe.nearOwn.y) >> uint(i & 31) & 1u) != 0u;
 }
 
 // flux: of the light, times the cosine; direction: unit; count: of lights that it stands for.
@@ -61,11 +70,17 @@ PixelLobe withNearLights(PixelLobe lobe, int group)
     int side = textureSize(nearestLightMap, 0).y;
     vec3 d = lobe.lightsFromLocal * vec3(-lobe.view.x, -lobe.view.y, lobe.view.z);
     ivec2 cell = min(ivec2(octahedralFromDirection(d) * float(side)), side - 1);
-    lobe.near = NEAREST_LIGHTS;
-    lobe.nearest = texelFetch(nearestLightMap, cell, 0);
-    for (int k = 0; k < NEAREST_LIGHTS; ++k) {
+    // As many as lie in a sixteenth of the sphere.
+    lobe.near = clamp(textureSize(atlasLightMap, 0).x, LEAST_NEAR_LIGHTS, NEAREST_LIGHTS);
+    lobe.nearest = texelFetch(nearestLightMap, ivec2(2 * cell.x, cell.y), 0);
+    lobe.further = texelFetch(nearestLightMap, ivec2(2 * cell.x + 1, cell.y), 0);
+    for (int k = 0; k < lobe.near; ++k) {
         int light = nearLight(lobe, k);
-        if (light % LIGHT_GROUPS == group) lobe.nearOwn |= 1u << uint(light / LIGHT_GROUPS);
+        uint bit = light % LIGHT_GROUPS == group ? 1u << uint(light / LIGHT_GROUPS & 31) : 0u;
+        if (light < 32 * LIGHT_GROUPS)
+            lobe.nearOwn.x |= bit;
+        else
+            lobe.nearOwn.y |= bit;
     }
     return lobe;
 }

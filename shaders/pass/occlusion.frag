@@ -257,7 +257,7 @@ void main()
 #endif
             if (seen) sums.num += e;
 #ifdef HAS_LOBES
-            if (lobe.dealt > 0.0 && (lobe.nearOwn >> uint(i) & 1u) == 0u)
+            if (lobe.dealt > 0.0 && !isNear(lobe, i))
                 addToLobe(lobe, e, direction, seen, lobe.dealt * float(LIGHT_GROUPS), lobeLights);
 #endif
         }

@@ -131,4 +131,28 @@ TEST(LobeOcclusion, LampsLeaveNoSpecksOnBalls)
     }
 }
 
+// Lights beyond the 256th, whose numbers need more than a byte, are found near a lobe, too.
+TEST(LobeOcclusion, MoreLightsOfTheAtlasErrLess)
+{
+    osg::ref_ptr<LitScene> lit = specularScene();
+    std::string error;
+    ASSERT_TRUE(lit->getEnvironmentMap()->load("studio", nullptr, error)) << error;
+    lit->getSettings()->reflections = Settings::REFLECTIONS_MAP;
+    addMetalBalls(*lit, osg::Vec3f(0.9f, 0.9f, 0.9f), 0.15f);
+    SceneRenderer renderer(144, 96);
+    lookAtMetalBalls(renderer);
+    const osgEnvLight::ReferenceResult truth = tracedSpecular(*lit, renderer, 256);
+    const osgEnvLight::Mask mask = glossyPixels(truth);
+    double former = 1.0;
+    for (int lights : {64, 256, 512, 1024}) {
+        lit->getSettings()->atlasLights = lights;
+        const Picture seen = renderer.render(lit);
+        const double now =
+            osgEnvLight::compare(seen, truth.mean(Layer::SPECULAR_VISIBLE), truth.standardError(Layer::SPECULAR_VISIBLE), mask)
+                .tRmse;
+        EXPECT_LT(now, former) << lights;
+        former = now;
+    }
+}
+
 }  // namespace LobeOcclusion_test

@@ -230,7 +230,7 @@ osg::ref_ptr<osg::Image> ShadowAtlas::nearestImage() const
     std::vector<osg::Vec3f> directions(lights);
     for (unsigned i = 0; i < lights; ++i) directions[i] = osg::Vec3f(_maps[i].drawn ? _maps[i].along : _list[i].direction);
     osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->allocateImage(side, side, 1, GL_RGBA_INTEGER_EXT, GL_UNSIGNED_INT);
+    image->allocateImage(2 * side, side, 1, GL_RGBA_INTEGER_EXT, GL_UNSIGNED_INT);
     image->setInternalTextureFormat(GL_RGBA32UI_EXT);
     std::vector<float> cosine(lights);
     std::vector<unsigned> order(lights);
@@ -240,11 +240,11 @@ osg::ref_ptr<osg::Image> ShadowAtlas::nearestImage() const
             const osg::Vec3f direction(float(d.x), float(d.y), float(d.z));
             for (unsigned i = 0; i < lights; ++i) cosine[i] = directions[i] * direction;
             std::iota(order.begin(), order.end(), 0u);
-            std::nth_element(order.begin(), order.begin() + limits::NEAREST_LIGHTS, order.end(),
-                             [&](unsigned a, unsigned b) { return cosine[a] > cosine[b]; });
-            uint32_t* numbers = reinterpret_cast<uint32_t*>(image->data(unsigned(x), unsigned(y)));
-            std::fill_n(numbers, 4, 0u);
-            for (int k = 0; k < limits::NEAREST_LIGHTS; ++k) numbers[k / 4] |= order[size_t(k)] << (8 * (k % 4));
+            std::partial_sort(order.begin(), order.begin() + limits::NEAREST_LIGHTS, order.end(),
+                              [&](unsigned a, unsigned b) { return cosine[a] > cosine[b]; });
+            uint32_t* numbers = reinterpret_cast<uint32_t*>(image->data(unsigned(2 * x), unsigned(y)));
+            std::fill_n(numbers, limits::NEAREST_LIGHTS / 2, 0u);
+            for (int k = 0; k < limits::NEAREST_LIGHTS; ++k) numbers[k / 2] |= order[size_t(k)] << (16 * (k % 2));
         }
     return image;
 }

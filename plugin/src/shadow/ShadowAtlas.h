@@ -74,8 +74,8 @@ class OSGENVLIGHT_EXPORT ShadowAtlas : public osg::Referenced
      * @param finer  atlas of the same lights with a focus, of which as many rows follow; null: none */
     osg::ref_ptr<osg::Image> lightImage(double scale, const ShadowAtlas* finer) const;
 
-    /** By direction in the world, an octahedral map: the numbers of the lights nearest to it, 16 i + q of light i of group q, in
-     * the bytes of RGBA of 32-bit integers.*/
+    /** By direction in the world, an octahedral map of two texels a cell: the numbers of the lights nearest to it, the nearest
+     * first, 16 i + q of light i of group q, each in half of one of the 32-bit integers of RGBA.*/
     osg::ref_ptr<osg::Image> nearestImage() const;
 
     osg::Texture2D* texture() { return _targets.texture.get(); }
