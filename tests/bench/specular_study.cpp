@@ -5,7 +5,7 @@
 // picture: with black where the scene is in the way ("black"), and with what the view shows of it ("shown").
 //   envlight_specular_study [MAP...] [NAME=VALUE...] [--roughness R]... [--direct] [--pictures FOLDER]
 //     MAP          of the image suite
-//     NAME=VALUE   a setting of the nodekit
+//     NAME=VALUE   a setting of the nodekit; "shown" has probes and rays through the picture if none says otherwise
 //     --roughness  instead of eight of them
 //     --direct     no light transport
 #include <metrics/Display>
@@ -110,15 +110,22 @@ struct Options {
     bool direct = false;
 };
 
+void apply(const std::vector<std::string>& assignments, Settings& settings)
+{
+    for (const std::string& a : assignments) {
+        std::string error;
+        if (!settings.set(a.substr(0, a.find('=')), a.substr(a.find('=') + 1), error)) throw std::runtime_error(error);
+    }
+}
+
 Row measure(const std::string& map, float roughness, const Options& options)
 {
     const std::string& pictures = options.pictures;
     osg::ref_ptr<LitScene> lit = makeBalls(roughness);
     if (!suite::setMap(*lit, map)) throw std::runtime_error(map + " is not installed");
-    for (const std::string& s : options.settings) {
-        std::string error;
-        if (!lit->getSettings()->set(s.substr(0, s.find('=')), s.substr(s.find('=') + 1), error)) throw std::runtime_error(error);
-    }
+    const osg::ref_ptr<Settings> shown = new Settings;
+    shown->bounce = Settings::BOUNCE_PROBES;
+    for (Settings* settings : {lit->getSettings(), shown.get()}) apply(options.settings, *settings);
     SceneRenderer renderer(width, height);
     lookAtMetalBalls(renderer);
     lit->getSettings()->view = Settings::SPECULAR;
@@ -151,12 +158,12 @@ Row measure(const std::string& map, float roughness, const Options& options)
     if (!pictures.empty()) write(all, stops, pictureName(pictures, map, roughness, "full"));
     const auto fullError = [&](int bounce, int reflections) {
         const Picture picture = beauty(*lit, renderer, bounce, reflections);
-        if (!pictures.empty() && reflections == Settings::REFLECTIONS_SCREEN)
+        if (!pictures.empty() && bounce != Settings::BOUNCE_OFF)
             write(picture, stops, pictureName(pictures, map, roughness, "shown"));
         return osgEnvLight::compare(picture, all, full.standardError(Layer::BEAUTY), mask).tRmse;
     };
     row.black = fullError(Settings::BOUNCE_OFF, Settings::REFLECTIONS_MAP);
-    row.shown = fullError(Settings::BOUNCE_PROBES, Settings::REFLECTIONS_SCREEN);
+    row.shown = fullError(shown->bounce, shown->reflections);
     return row;
 }
 

@@ -14,9 +14,11 @@ std::vector<SettingsProperty> SpecularSettings::properties()
                "filter it, which is faster, and wrong where a lobe is drawn out, at grazing angles or brushed"),
         uniform(number("specularSamples", &S::specularSamples, 1, 1024, "samples per pixel",
                        "directions sampled from the BRDF for S, with specularMethod = sampled")),
-        choice("reflections", &S::reflections, {"off", "map", "screen"},
-               "what glossy surfaces show: the map, whatever is in the way; the map where it is seen, and black else; or that and "
-               "the scene: what the picture shows of it, else its mean radiance"),
+        choice(
+            "reflections", &S::reflections, {"off", "map", "indirect", "screen"},
+            "what glossy surfaces show: the map, whatever is in the way; the map where it is seen, and black else; there the "
+            "scene's indirect light, that of its probes or the mean; or what the picture shows of the scene, and indirect light "
+            "where it shows nothing"),
         uniform(number("reflectionSteps", &S::reflectionSteps, 1, 256, "points per ray",
                        "points at which a reflected ray is compared with the depth buffer, with reflections = screen")),
     };

@@ -308,8 +308,7 @@ Requirement IndirectPass::require(const FrameContext& c) const
 void IndirectPass::setup(PassBuilder& b, FrameContext& c)
 {
     const IndirectLight& light = *c.indirect;
-    const bool lobes =
-        c.facts.surfaces.hasLobes() && c.settings.specular && c.settings.reflections == Settings::REFLECTIONS_SCREEN;
+    const bool lobes = c.facts.surfaces.hasLobes() && c.settings.specular && lobesShowScene(c);
     const TextureId received = b.create("indirect", ofFirstFrame(c, GL_RGBA16F_ARB));
     const TextureId mirrored = lobes ? b.create("mirrored", ofFirstFrame(c, GL_RGBA16F_ARB)) : TextureId();
     if (c.hasFirstFrame()) {

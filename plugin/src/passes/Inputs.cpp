@@ -106,6 +106,11 @@ void readDiffuseTerms(PassBuilder& b, const FrameContext& c)
     b.define("COMBINE_SUBTRACT", c.settings.combine == Settings::SUBTRACT);
 }
 
+bool lobesShowScene(const FrameContext& c)
+{
+    return c.settings.reflections > Settings::REFLECTIONS_MAP;
+}
+
 void readTerms(PassBuilder& b, FrameContext& c)
 {
     readDiffuseTerms(b, c);
@@ -116,7 +121,7 @@ void readTerms(PassBuilder& b, FrameContext& c)
     b.define("HAS_BOUNCE", bounces && !probes);
     if (b.read("reflected", "reflectedMap"))
         b.define("HAS_REFLECTED");
-    else if (bounces && c.settings.reflections == Settings::REFLECTIONS_SCREEN && b.read("blocked lobe", "blockedLobeMap")) {
+    else if (bounces && lobesShowScene(c) && b.read("blocked lobe", "blockedLobeMap")) {
         b.define("HAS_LOBES");
         b.read("blocked coat", "blockedCoatMap");
         b.read("mirrored", "mirroredMap");

@@ -59,7 +59,9 @@ void readSceneLightMaps(PassBuilder& builder, const FrameContext& context);
 void readSunMaps(PassBuilder& builder, FrameContext& context);
 /** What pass/terms.glsl reads. */
 void readDiffuseTerms(PassBuilder& builder, const FrameContext& context);
-/** The same with S and the bounce. */
+/** Whether lobes show the scene's indirect light where the scene hides the map. */
+bool lobesShowScene(const FrameContext& context);
+/** What pass/terms.glsl reads, with S and the bounce. */
 void readTerms(PassBuilder& builder, FrameContext& context);
 /** What is behind the scene. */
 void readBackground(PassBuilder& builder, FrameContext& context);
