@@ -63,15 +63,23 @@ const std::vector<Sweep>& defaultSweeps()
     return sweeps;
 }
 
+// Whether a setting says what surfaces send each other, which direct light is without.
+bool isOfFullTransport(const std::string& name)
+{
+    return std::any_of(defaultSweeps().begin(), defaultSweeps().end(),
+                       [&](const Sweep& s) { return name == s.name && s.where == Sweep::FULL_TRANSPORT; });
+}
+
 // The defaults first: what the others are held against.
-std::vector<Candidate> presets()
+std::vector<Candidate> presets(bool full)
 {
     std::vector<Candidate> all = {{"preset", "default", unknown, {}},
                                   {"preset", "no occlusion", unknown, {{"occlusion", "off"}}}};
     for (const Settings::Preset& p : Settings::presets()) {
         if (p.values.empty()) continue;
         all.push_back({"preset", p.name, unknown, {}});
-        for (const auto& [property, value] : p.values) all.back().settings.emplace_back(property, value);
+        for (const auto& [property, value] : p.values)
+            if (full || !isOfFullTransport(property)) all.back().settings.emplace_back(property, value);
     }
     return all;
 }
@@ -141,7 +149,7 @@ std::pair<std::string, std::vector<std::string>> parseSweep(const std::string& t
 
 std::vector<Candidate> candidates(const Selection& selection)
 {
-    std::vector<Candidate> all = presets();
+    std::vector<Candidate> all = presets(selection.full);
     for (const Sweep& s : defaultSweeps()) {
         const bool replaced =
             std::any_of(selection.sweeps.begin(), selection.sweeps.end(), [&](const auto& a) { return a.first == s.name; });

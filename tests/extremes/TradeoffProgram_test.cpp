@@ -244,6 +244,21 @@ TEST(Sweeps, EveryDefaultIsASettingsValue)
     for (const tradeoff::Candidate& c : few) EXPECT_NE(c.sweep, "specularSamples");
 }
 
+// Or the light from surface to surface would be a preset's error.
+TEST(Sweeps, PresetsAddNoBounceToDirectLight)
+{
+    tradeoff::Selection direct, full;
+    full.full = true;
+    const auto namesBounce = [](const tradeoff::Selection& selection) {
+        for (const tradeoff::Candidate& c : tradeoff::candidates(selection))
+            for (const auto& [name, value] : c.settings)
+                if (name == "bounce" || name == "reflections") return true;
+        return false;
+    };
+    EXPECT_FALSE(namesBounce(direct));
+    EXPECT_TRUE(namesBounce(full));
+}
+
 TEST(Sweeps, AreMeasuredInTurnFromTheirEnds)
 {
     std::vector<tradeoff::Candidate> all;
