@@ -51,31 +51,6 @@ double area(const Mesh& mesh)
     return 0.5 * sum;
 }
 
-Mesh read(const Caster& caster, const osg::Vec3d& origin)
-{
-    Mesh mesh;
-    const osg::Array* vertices = caster.geometry->getVertexArray();
-    if (!vertices) return mesh;
-    const osg::Matrixd matrix = caster.worldFromModel * osg::Matrixd::translate(-origin);
-    VertexReader reader;
-    for (unsigned i = 0; i < vertices->getNumElements(); ++i) {
-        vertices->accept(i, reader);
-        mesh.positions.push_back(osg::Vec3f(reader.value * matrix));
-    }
-    for (unsigned i = 0; i < caster.geometry->getNumPrimitiveSets(); ++i) {
-        osg::TriangleIndexFunctor<Collect> collect;
-        collect.triangles = &mesh.triangles;
-        caster.geometry->getPrimitiveSet(i)->accept(collect);
-    }
-    const auto usable = [&](unsigned v) {
-        return v < mesh.positions.size() && std::isfinite(mesh.positions[v].x()) && std::isfinite(mesh.positions[v].y()) &&
-               std::isfinite(mesh.positions[v].z());
-    };
-    const auto bad = [&](const Triangle& t) { return !usable(t[0]) || !usable(t[1]) || !usable(t[2]); };
-    mesh.triangles.erase(std::remove_if(mesh.triangles.begin(), mesh.triangles.end(), bad), mesh.triangles.end());
-    return mesh;
-}
-
 // at: the numbers of the vertices' places.
 bool isClosedSurface(const Mesh& mesh, const std::vector<Triangle>& triangles, const std::vector<unsigned>& at)
 {
@@ -183,22 +158,52 @@ Mesh coarsened(Mesh&& mesh, double cell)
 
 }  // namespace
 
+CasterMesh meshOf(const Caster& caster, const osg::Vec3d& origin)
+{
+    Mesh mesh;
+    const osg::Array* vertices = caster.geometry->getVertexArray();
+    if (!vertices) return mesh;
+    const osg::Matrixd matrix = caster.worldFromModel * osg::Matrixd::translate(-origin);
+    VertexReader reader;
+    for (unsigned i = 0; i < vertices->getNumElements(); ++i) {
+        vertices->accept(i, reader);
+        mesh.positions.push_back(osg::Vec3f(reader.value * matrix));
+    }
+    for (unsigned i = 0; i < caster.geometry->getNumPrimitiveSets(); ++i) {
+        osg::TriangleIndexFunctor<Collect> collect;
+        collect.triangles = &mesh.triangles;
+        caster.geometry->getPrimitiveSet(i)->accept(collect);
+    }
+    const auto usable = [&](unsigned v) {
+        return v < mesh.positions.size() && std::isfinite(mesh.positions[v].x()) && std::isfinite(mesh.positions[v].y()) &&
+               std::isfinite(mesh.positions[v].z());
+    };
+    const auto bad = [&](const Triangle& t) { return !usable(t[0]) || !usable(t[1]) || !usable(t[2]); };
+    mesh.triangles.erase(std::remove_if(mesh.triangles.begin(), mesh.triangles.end(), bad), mesh.triangles.end());
+    return mesh;
+}
+
 CasterMesh coarseMesh(const Caster& caster, const osg::Vec3d& origin, double cell)
 {
-    return coarsened(read(caster, origin), cell);
+    return coarsened(meshOf(caster, origin), cell);
+}
+
+std::vector<unsigned> placesOf(const CasterMesh& mesh)
+{
+    std::vector<unsigned> at;
+    osg::BoundingBoxf box;
+    for (const osg::Vec3f& p : mesh.positions) box.expandBy(p);
+    if (!box.valid()) return at;
+    // A sphere's pole may be many vertices at nearly one place.
+    Places places(box._min, 1e-5f * (box._max - box._min).length() + 1e-30f);
+    for (const osg::Vec3f& p : mesh.positions) at.push_back(places.number(p));
+    return at;
 }
 
 bool isClosed(const CasterMesh& mesh)
 {
     if (mesh.closed) return *mesh.closed;
-    osg::BoundingBoxf box;
-    for (const osg::Vec3f& p : mesh.positions) box.expandBy(p);
-    if (!box.valid()) return false;
-    // Corners with normals of their own are several vertices at one place, and a sphere's pole may be many that nearly are.
-    Places places(box._min, 1e-5f * (box._max - box._min).length() + 1e-30f);
-    std::vector<unsigned> at;
-    for (const osg::Vec3f& p : mesh.positions) at.push_back(places.number(p));
-    return isClosedSurface(mesh, mesh.triangles, at);
+    return !mesh.positions.empty() && isClosedSurface(mesh, mesh.triangles, placesOf(mesh));
 }
 
 }  // namespace osgEnvLight
