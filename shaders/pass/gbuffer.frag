@@ -1,6 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // Fills the G-buffer. Output 0 is the albedo with the surface's alpha, because the fixed-function alpha test reads it.
+#pragma import_defines(ENVLIGHT_LAMP)
 
 #include "lib/anisotropy.glsl"
 #include "lib/frame.glsl"
@@ -44,7 +45,7 @@ void main()
 #endif
     specular.a = float(kind) / 65535.0;
     emission = vec4(s.emission * exp2(-emittedStops), min(s.bulge, 0.49));  // in the units of display(), as emitted() has it
-#ifdef ENVLIGHT_LIGHT
+#if defined(ENVLIGHT_LIGHT) || defined(ENVLIGHT_LAMP)
     emission.a = LIGHT_MARK;
 #endif
 }

@@ -114,7 +114,7 @@ TEST(MeshShapes, ARoundPlateIsADiscAndAnAngleAPolygon)
     EXPECT_NEAR(angle[0].area, 3.0, 1e-6);
 }
 
-TEST(MeshShapes, ABallIsASphereOfItsArea)
+TEST(MeshShapes, ABallIsASphereThatSendsAsMuch)
 {
     TracedScene ball;
     addSphere(ball, addSurface(ball, true), osg::Vec3f(3, 2, 1), 0.25f, 24);
@@ -122,7 +122,11 @@ TEST(MeshShapes, ABallIsASphereOfItsArea)
     ASSERT_EQ(shapes.size(), 1u);
     EXPECT_EQ(shapes[0].shape, AreaLight::SPHERE);
     EXPECT_NEAR((shapes[0].center - osg::Vec3d(3, 2, 1)).length(), 0.0, 1e-3);
-    EXPECT_NEAR(shapes[0].radius(), 0.25, 0.003);
+    EXPECT_NEAR(shapes[0].radius(), 0.25, 1e-3);
+    double area = 0.0;
+    for (size_t i = 0; i + 2 < ball.positions.size(); i += 3)
+        area += 0.5 * ((ball.positions[i + 1] - ball.positions[i]) ^ (ball.positions[i + 2] - ball.positions[i])).length();
+    EXPECT_NEAR(fluxOf(shapes), osg::PI * area, 1e-3 * area);
     EXPECT_FALSE(shapes[0].twoSided);
 }
 

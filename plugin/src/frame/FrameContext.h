@@ -14,6 +14,7 @@
 
 #include <osgEnvLight/GBuffer>
 
+#include <cmath>
 #include <utility>
 
 namespace osgUtil
@@ -78,6 +79,14 @@ struct FrameContext {
 
     int width() const { return int(viewport->width()); }
     int height() const { return int(viewport->height()); }
+
+    /** Radiance of an emission of 1 as typed: what emits is shown as typed whatever the map's exposure. */
+    double emittedScale() const { return settings.materialColors == Settings::COLORS_SRGB ? std::exp2(-baseStops) : 1.0; }
+    LampRule lampRule() const
+    {
+        return {settings.emissiveMeshes && facts.ownGBuffer, float(radianceScale / emittedScale()),
+                settings.materialColors == Settings::COLORS_SRGB};
+    }
 
     /** This frame adds to a still view's average. */
     bool isAccumulating() const { return still && still->adds(); }

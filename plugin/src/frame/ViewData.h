@@ -4,6 +4,7 @@
 #include "frame/AtlasLights.h"
 #include "frame/FrameGraph.h"
 #include "frame/FrameResources.h"
+#include "surface/MeshLights.h"
 
 #include <osgEnvLight/GBuffer>
 
@@ -57,8 +58,9 @@ class OSGENVLIGHT_EXPORT ViewData : public osg::Referenced
     bool unsettled = false;    // further frames would change the picture by themselves
     unsigned seenUpdates = 0;  // of the node, at the last cull
     CasterCollector::StateSets casterStates;
-    std::vector<Emitter> areaLights;  // of the last cull, in the world
-    SceneLightList lateLights;        // of LightSources behind the node in the graph
+    std::vector<Emitter> areaLights;  // AreaLights of the last cull, in the world
+    MeshLights meshLights;
+    SceneLightList lateLights;  // of LightSources behind the node in the graph
 
   protected:
     ~ViewData() override;

@@ -85,29 +85,17 @@ try {
         std::lock_guard<std::mutex> guard(_mutex);
         reportOnce(message, osg::NOTICE);
     });
-    findAreaLights(c, vd, [&](const std::string& message) {
+    const auto report = [&](const std::string& message) {
         std::lock_guard<std::mutex> guard(_mutex);
         reportOnce(message);
-    });
-
-    const bool shows = c.facts.surfaces.deferred + c.facts.surfaces.litForward > 0;
-    const bool sendsOn = c.facts.hasLamps() && settings->bounce != Settings::BOUNCE_OFF;
-    const bool needsCarrier = settings->diffuse && (!c.facts.mapIsBlack || sendsOn) && shows;
-    const bool hasLamps = !c.areaLights.empty() || (settings->sceneLightShadows && castShadows(c.lights));
-    const bool hasLampMaps = hasLamps && Decisions::wantsEmitterMaps(*settings);
-    if ((needsCarrier && Decisions::wantsAtlas(*settings)) || ((sunny || hasLampMaps) && shows)) {
-        CasterCollector collector(cv, c.worldFromEye, vd.casterStates, _facts.get());
-        if (settings->bounce == Settings::BOUNCE_PROBES)
-            collector.findSentLight(settings->materialColors == Settings::COLORS_SRGB);
-        c.casters = collector.collect(node);
-    }
-    c.facts.casters = c.casters.size();
-    c.showsNothing = !shows && c.facts.sceneRadius > 0.0;
-    if (!c.showsNothing) CasterCollector::forgetUnused(vd.casterStates, c.casters);
+    };
+    findAreaLights(c, vd, report);
+    findCasters(c, vd, node, *_facts, sunny, report);
 
     lock.lock();
-    if (c.facts.mapIsBlack && sendsOn) darken(c, _darkTextures);
-    light(c, vd, needsCarrier);
+    const bool carries = needsCarrier(c);
+    if (c.facts.mapIsBlack && c.facts.hasLamps() && settings->bounce != Settings::BOUNCE_OFF) darken(c, _darkTextures);
+    light(c, vd, carries);
     for (const ForwardGraph& f : forward) f.bin->addStateGraph(f.graph);
     return true;
 } catch (const std::runtime_error& error) {

@@ -93,6 +93,73 @@ void findAreaLights(FrameContext& c, ViewData& data, const std::function<void(co
     c.facts.areaLights = c.areaLights.size();
 }
 
+namespace
+{
+
+bool showsSomething(const FrameContext& c)
+{
+    return c.facts.surfaces.deferred + c.facts.surfaces.litForward > 0;
+}
+
+bool sendsOn(const FrameContext& c)
+{
+    return c.facts.hasLamps() && c.settings.bounce != Settings::BOUNCE_OFF;
+}
+
+bool asksForCasters(const FrameContext& c, bool sunny)
+{
+    if (needsCarrier(c) && Decisions::wantsAtlas(c.settings)) return true;
+    const bool hasLamps = !c.areaLights.empty() || (c.settings.sceneLightShadows && castShadows(c.lights));
+    return (sunny || (hasLamps && Decisions::wantsEmitterMaps(c.settings))) && showsSomething(c);
+}
+
+// Lamps that the view does not show light it, too. Where nothing else asks for the casters, those are known of the frame before;
+// a dark scene is searched.
+bool mayHaveLamps(const FrameContext& c, const ViewData& data)
+{
+    return c.lampRule().finds && showsSomething(c) &&
+           (c.facts.mapIsBlack || c.facts.surfaces.lamps > 0 || !data.meshLights.empty());
+}
+
+void addMeshLights(FrameContext& c, ViewData& data, const std::function<void(const std::string&)>& report)
+{
+    const size_t most = 4096;
+    std::vector<Emitter> lights = data.meshLights.of(c.casters, c.emittedScale(), 1e-6 * c.facts.sceneRadius);
+    if (lights.size() > most) {
+        report(std::to_string(lights.size()) + " meshes glow; the " + std::to_string(most) + " that send most are lights");
+        const auto sendsMore = [](const Emitter& a, const Emitter& b) { return a.flux() > b.flux(); };
+        std::nth_element(lights.begin(), lights.begin() + most, lights.end(), sendsMore);
+        lights.resize(most);
+    }
+    c.areaLights.insert(c.areaLights.end(), lights.begin(), lights.end());
+    c.facts.areaLights = c.areaLights.size();
+}
+
+}  // namespace
+
+bool needsCarrier(const FrameContext& c)
+{
+    return c.settings.diffuse && (!c.facts.mapIsBlack || sendsOn(c)) && showsSomething(c);
+}
+
+void findCasters(FrameContext& c, ViewData& data, osg::Group& node, SurfaceFacts& facts, bool sunny,
+                 const std::function<void(const std::string&)>& report)
+{
+    if (asksForCasters(c, sunny) || mayHaveLamps(c, data)) {
+        CasterCollector collector(c.cv, c.worldFromEye, data.casterStates, &facts);
+        collector.findLamps(c.lampRule());
+        if (c.settings.bounce == Settings::BOUNCE_PROBES)
+            collector.findSentLight(c.settings.materialColors == Settings::COLORS_SRGB);
+        c.casters = collector.collect(node);
+        addMeshLights(c, data, report);
+    } else {
+        data.meshLights.clear();
+    }
+    c.facts.casters = c.casters.size();
+    c.showsNothing = !showsSomething(c) && c.facts.sceneRadius > 0.0;
+    if (!c.showsNothing) CasterCollector::forgetUnused(data.casterStates, c.casters);
+}
+
 // A LightSource that comes after the node in the graph is met after the node's cull. So the frame before says that there is one,
 // and the end of this frame's cull says what it is like.
 void findLights(FrameContext& c, ViewData& data, const std::vector<ForwardGraph>& forward,

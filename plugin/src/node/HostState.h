@@ -24,4 +24,13 @@ void findLights(FrameContext& context, ViewData& view, const std::vector<Forward
  * @param report  receives which can not light, and why */
 void findAreaLights(FrameContext& context, ViewData& view, const std::function<void(const std::string&)>& report);
 
+/** Find what casts shadows below the node, where a pass asks for it, and of that the lamps, which join the area lights.
+ * @param sunny   whether there may be shadow maps of suns
+ * @param report  receives how many lamps are left out */
+void findCasters(FrameContext& context, ViewData& view, osg::Group& node, SurfaceFacts& facts, bool sunny,
+                 const std::function<void(const std::string&)>& report);
+
+/** Whether D of the map or of what the scene sends on is to be shown. */
+bool needsCarrier(const FrameContext& context);
+
 }  // namespace osgEnvLight

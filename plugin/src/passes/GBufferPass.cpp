@@ -140,7 +140,7 @@ SurfaceKinds GBufferPass::cull(FrameContext& c, const std::function<void()>& tra
         return f.forwardState.get();
     };
     c.cv.pushViewport(c.viewport);
-    const SurfaceKinds kinds = f.fill->fill(c.cv, *f.gbufferStage, hostBin, lit, forward, [&] {
+    const SurfaceKinds kinds = f.fill->fill(c.cv, *f.gbufferStage, hostBin, lit, c.lampRule(), forward, [&] {
         c.cv.setCurrentRenderBin(f.gbufferStage.get());
         traverse();
         c.cv.setCurrentRenderBin(hostBin);

@@ -158,6 +158,11 @@ void CasterCollector::add(const osg::Geometry& geometry, const osg::Matrixd& eye
         caster.sent = state.sentLight(geometry, _displayColors);
         if (caster.state) caster.sent.opacity = state.opacity();
     }
+    if (_lampRule.finds && !state.drawnForward(&geometry)) {
+        caster.lamp = state.lampEmission(_lampRule);
+        caster.bothSides = !state.culled();
+        if (caster.lamp != osg::Vec3f()) caster.sent.emission = osg::Vec3f();
+    }
     _casters.push_back(caster);
 }
 

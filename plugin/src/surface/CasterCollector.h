@@ -26,6 +26,8 @@ struct Caster {
     osg::ref_ptr<osg::StateSet> state;  // of perforated ones; null: solid
     unsigned shape = 0;                 // modified count of its vertices
     SentLight sent = {};                // where it was asked for
+    osg::Vec3f lamp = {};               // emission of what is an area light, as typed, linear; black: it is none
+    bool bothSides = true;              // are drawn
 };
 
 /** All that casts shadows below a node, whether the view shows it or not: levels of detail, switches, billboards and paged
@@ -50,6 +52,9 @@ class OSGENVLIGHT_EXPORT CasterCollector : public osg::NodeVisitor, public osg::
         _findsSentLight = true;
         _displayColors = displayColors;
     }
+
+    /** Find out which are lamps. These send on what they reflect alone. */
+    void findLamps(const LampRule& rule) { _lampRule = rule; }
 
     /** The casters below the group. */
     std::vector<Caster> collect(osg::Group& group);
@@ -83,6 +88,7 @@ class OSGENVLIGHT_EXPORT CasterCollector : public osg::NodeVisitor, public osg::
     std::vector<Caster> _casters;
     bool _findsSentLight = false;
     bool _displayColors = true;
+    LampRule _lampRule;
 };
 
 /** True if both throw the same shadow: one shape at one place, to within slack [world units]. */

@@ -45,7 +45,7 @@ void GBufferCallback::operator()(osg::Node* node, osg::NodeVisitor* nv)
     }
     std::vector<ForwardGraph> leftOut;
     _fill->fill(
-        *cv, *cv->getCurrentRenderBin(), nullptr, [] { return nullptr; }, leftOut, [&] { traverse(node, nv); });
+        *cv, *cv->getCurrentRenderBin(), nullptr, [] { return nullptr; }, LampRule(), leftOut, [&] { traverse(node, nv); });
 }
 
 void GBufferCallback::resizeGLObjectBuffers(unsigned maximum)

@@ -25,16 +25,17 @@ class OSGENVLIGHT_EXPORT GBufferFill : public osg::Referenced
     osg::StateSet* getStateSet() const { return _stateSet.get(); }
 
     /** Cull with traverse() into the visitor's current bin.
-     * forward, lit, moved: as SurfaceSorter::sort.*/
+     * forward, lit, lamps, moved: as SurfaceSorter::sort.*/
     template <class Traverse>
     SurfaceKinds fill(osgUtil::CullVisitor& cv, osgUtil::RenderBin& bin, osgUtil::RenderBin* forward,
-                      const SurfaceSorter::LitState& lit, std::vector<ForwardGraph>& moved, Traverse traverse)
+                      const SurfaceSorter::LitState& lit, const LampRule& lamps, std::vector<ForwardGraph>& moved,
+                      Traverse traverse)
     {
         osg::ref_ptr<osg::RefMatrix> projection;
         osgUtil::StateGraph& top = push(cv, projection);
         traverse();
         pop(cv);
-        return _sorter->sort({bin, forward, top, projection.get(), moved}, lit);
+        return _sorter->sort({bin, forward, top, projection.get(), lamps, moved}, lit);
     }
 
     /** Make stateSet that of a G-buffer with that program and viewport: the program ON | PROTECTED, so that a program below it

@@ -116,6 +116,11 @@ void Material::setEmissionMap(osg::StateSet& stateSet, osg::Texture2D* map, int 
     setMap(stateSet, MaterialMaps::emissionMap, map, set, unit);
 }
 
+void Material::setLight(osg::StateSet& stateSet, LightMode mode)
+{
+    setUniform(stateSet, MaterialMaps::lightMode, int(mode));
+}
+
 void Material::setDielectric(osg::StateSet& stateSet, float ior, float strength, const osg::Vec3f& color)
 {
     const float r = (ior - 1.0f) / (ior + 1.0f);

@@ -18,6 +18,7 @@ struct MaterialMaps {
     /** In the order of SurfaceSorter's variants; from firstOfCoat on they are of the coat. */
     static constexpr const char* samplers[] = {normal,  metalRough,       emissionMap,  anisotropyMap,
                                                coatMap, coatRoughnessMap, coatNormalMap};
+    static constexpr unsigned ofEmission = 2;
     static constexpr unsigned ofAnisotropy = 3;
     static constexpr unsigned firstOfCoat = 4;
 
@@ -26,8 +27,9 @@ struct MaterialMaps {
     static constexpr const char* normalUp = "envlightNormalUp";  // -1: the second coordinate is 0 at the top
     static constexpr const char* coatNormalScale = "envlightCoatNormalScale";
     static constexpr const char* coatNormalUp = "envlightCoatNormalUp";
-    static constexpr const char* emission = "envlightEmission";  // linear
-    static constexpr const char* light = "envlightLight";        // radiance of an AreaLight's surface
+    static constexpr const char* emission = "envlightEmission";    // linear
+    static constexpr const char* light = "envlightLight";          // radiance of an AreaLight's surface
+    static constexpr const char* lightMode = "envlightLightMode";  // a Material::LightMode
     static constexpr const char* dielectric = "envlightDielectric";
     static constexpr const char* edge = "envlightEdge";  // of metal: the argument of edgeLoss()
     static constexpr const char* diffuseRoughness = "envlightDiffuseRoughness";

@@ -81,9 +81,11 @@ std::optional<Emitter> ballOf(const MeshBodies::Body& body, const Places& places
             most = std::max(most, distance);
         }
     if (most - least > roundness * most) return std::nullopt;
+    // Through the corners: its points lie outside of the faces, which would hide them.
     Emitter e = emitter(AreaLight::SPHERE, center);
-    e.area = areaOf(body.triangles);
-    e.u = osg::Vec3d(std::sqrt(e.area / (4.0 * osg::PI)), 0, 0);
+    e.u = osg::Vec3d(most, 0, 0);
+    e.area = 4.0 * osg::PI * most * most;
+    e.radiance *= areaOf(body.triangles) / e.area;
     return e;
 }
 

@@ -64,7 +64,6 @@ void SentLightState::merge(const osg::StateSet& s)
     read(s, "envlightMetalness", _metalness);
     read(s, "envlightSmoothness", _smoothness);
     read(s, MaterialMaps::dielectric, _dielectric);
-    read(s, MaterialMaps::emission, _emission);
 }
 
 // As combined() of pass/surface.glsl, by means.
@@ -108,7 +107,7 @@ SentLight SentLightState::hostLight(const osg::Vec3f& color, bool displayColors)
 {
     if (unlit()) return {osg::Vec3f(), color};
     const osg::Material* m = osgMaterial();
-    SentLight sent{color, m ? decoded(rgb(m->getEmission(osg::Material::FRONT)), displayColors) : osg::Vec3f()};
+    SentLight sent{color, emission(displayColors)};
     if (paintedReflection()) return sent;
     if (phongMaterial()) sent.reflectance += decoded(rgb(m->getSpecular(osg::Material::FRONT)), displayColors);
     const float most = std::max({1.0f, sent.reflectance[0], sent.reflectance[1], sent.reflectance[2]});
@@ -146,7 +145,7 @@ SentLight SentLightState::sentLight(const osg::Geometry& geometry, bool displayC
         default:
             break;
     }
-    if (emits()) sent.emission = _emission;
+    if (emits()) sent.emission = emission(displayColors);
     sent.reflectance = possible(sent.reflectance);
     return sent;
 }

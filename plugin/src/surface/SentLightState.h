@@ -27,7 +27,7 @@ class OSGENVLIGHT_EXPORT SentLightState : public SurfaceState
     SentLight hostLight(const osg::Vec3f& color, bool displayColors) const;
 
     // Of our Material.
-    osg::Vec3f _baseColor, _diffuse, _specular, _dielectric, _emission;
+    osg::Vec3f _baseColor, _diffuse, _specular, _dielectric;
     float _metalness = 0.0f;
     float _smoothness = 0.0f;
 };

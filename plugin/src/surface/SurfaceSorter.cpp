@@ -175,7 +175,7 @@ class SurfaceSort
         return state.phongMaterial() ? 1u << Material::BLINN_PHONG : 0u;
     }
 
-    static SurfaceSorter::Variation variationOf(const SurfaceState& state)
+    SurfaceSorter::Variation variationOf(const SurfaceState& state) const
     {
         using S = SurfaceSorter;
         uint64_t bits = textureBits(state);
@@ -199,6 +199,7 @@ class SurfaceSort
         if (state.roughDiffuse()) bits |= S::ENVLIGHT_ROUGH_DIFFUSE;
         if (state.coated()) bits |= S::ENVLIGHT_COAT;
         if (state.isAreaLight()) bits |= S::ENVLIGHT_LIGHT;
+        if (state.lampEmission(_places.lamps) != osg::Vec3f()) bits |= S::ENVLIGHT_LAMP;
         if (state.brdf() >= 0 && state.emits()) bits |= S::ENVLIGHT_EMISSION;
         return {bits, stages};
     }
@@ -226,6 +227,7 @@ class SurfaceSort
     {
         kinds.lobes |= kindBits(state);
         ++kinds.deferred;
+        if (variation.bits & SurfaceSorter::ENVLIGHT_LAMP) ++kinds.lamps;
         osgUtil::StateGraph* n = sg->find_or_insert(_sorter.variant(variation));
         if (n->leaves_empty()) kept.push_back(n);
         n->addLeaf(&leaf);
@@ -302,7 +304,8 @@ const osg::StateSet* SurfaceSorter::variant(const Variation& variation)
                                           "ANISOTROPY_MAP",
                                           "COAT_MAP",
                                           "COAT_ROUGHNESS_MAP",
-                                          "COAT_NORMAL_MAP"};
+                                          "COAT_NORMAL_MAP",
+                                          "ENVLIGHT_LAMP"};
     std::lock_guard<std::mutex> lock(_mutex);
     osg::ref_ptr<osg::StateSet>& stateSet = _variants[variation];
     if (!stateSet) {

@@ -43,6 +43,7 @@ class OSGENVLIGHT_EXPORT SurfaceSorter : public osg::Referenced
         osgUtil::RenderBin* forward;       // the host's bin for what is drawn forward; null drops it
         osgUtil::StateGraph& top;          // of the G-buffer's own state set, as the children were culled under it
         const osg::RefMatrix* projection;  // that the G-buffer is drawn with
+        LampRule lamps;
         std::vector<ForwardGraph>& moved;  // receives what is drawn forward, for the caller to add after the composite
     };
     /** @param lit  asked for the state set to push above forward surfaces that the environment lights, only when there are
@@ -99,7 +100,8 @@ class OSGENVLIGHT_EXPORT SurfaceSorter : public osg::Referenced
         ANISOTROPY_MAP = uint64_t(1) << 34,
         COAT_MAP = uint64_t(1) << 35,
         COAT_ROUGHNESS_MAP = uint64_t(1) << 36,
-        COAT_NORMAL_MAP = uint64_t(1) << 37
+        COAT_NORMAL_MAP = uint64_t(1) << 37,
+        ENVLIGHT_LAMP = uint64_t(1) << 38
     };
     struct Variation {
         uint64_t bits = 0;

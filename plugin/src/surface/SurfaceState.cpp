@@ -79,7 +79,8 @@ void SurfaceState::mergeMaps(const osg::StateSet& s)
     if (Material::brdfOf(s, -1) >= 0) _edged = s.getUniform(MaterialMaps::edge) != nullptr;  // another BRDF has no such metal
     for (size_t i = 0; i < _mapUnits.size(); ++i)
         if (const osg::Uniform* unit = s.getUniform(MaterialMaps::samplers[i])) unit->get(_mapUnits[i]);
-    if (s.getUniform(MaterialMaps::emission)) _emits = true;
+    if (const osg::Uniform* emission = s.getUniform(MaterialMaps::emission)) _emits = emission->get(_emission);
+    if (const osg::Uniform* mode = s.getUniform(MaterialMaps::lightMode)) mode->get(_light);
     if (s.getUniform(MaterialMaps::light)) _isAreaLight = true;
     if (s.getUniform(MaterialMaps::dielectric)) _dielectric = true;
     if (const osg::Uniform* roughness = s.getUniform(MaterialMaps::diffuseRoughness)) roughness->get(_diffuseRoughness);
@@ -117,6 +118,8 @@ void SurfaceState::mergeMode(osg::StateAttribute::GLMode mode, osg::StateAttribu
             return _logicOp.merge(value);
         case GL_FOG:
             return _fog.merge(value);
+        case GL_CULL_FACE:
+            return _faceCulling.merge(value);
         case GL_VERTEX_PROGRAM_ARB:
             return _vertexProgram.merge(value);
         case GL_FRAGMENT_PROGRAM_ARB:

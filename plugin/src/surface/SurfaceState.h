@@ -3,6 +3,7 @@
 
 #include <osgEnvLight/Export>
 #include <osgEnvLight/Material>
+#include "surface/LampRule.h"
 #include "surface/SurfaceFacts.h"
 #include "surface/TextureUnit.h"
 
@@ -90,6 +91,13 @@ class OSGENVLIGHT_EXPORT SurfaceState
     bool roughDiffuse() const { return _diffuseRoughness > 0.0f && _brdf >= 0 && !coated() && !anisotropic() && !edged(); }
     /** A Material says what it emits. */
     bool emits() const { return _emits; }
+    /** What it emits, linear, as typed; of a map the mean.
+     * @param displayColors  the host's colours are display values, sRGB encoded */
+    osg::Vec3f emission(bool displayColors) const;
+    /** The same of a surface that is an area light by itself; black: it is none. */
+    osg::Vec3f lampEmission(const LampRule& rule) const;
+    /** One of its sides is not drawn. */
+    bool culled() const { return _faceCulling.on; }
     /** What an AreaLight draws of itself. */
     bool isAreaLight() const { return _isAreaLight; }
     /** Planes of the host's cut it. */
@@ -147,6 +155,7 @@ class OSGENVLIGHT_EXPORT SurfaceState
     Mode _scissor;
     Mode _logicOp;
     Mode _fog;
+    Mode _faceCulling;
     Mode _vertexProgram;
     Mode _fragmentProgram;
     std::array<Mode, 6> _clipPlanes;
@@ -169,6 +178,8 @@ class OSGENVLIGHT_EXPORT SurfaceState
     bool _edged = false;
     float _diffuseRoughness = 0.0f;
     bool _emits = false;
+    osg::Vec3f _emission;  // where it does
+    int _light = Material::LIGHT_AUTO;
     bool _isAreaLight = false;
     bool _ownVertexColors = false;  // a BRDF of ours takes them
 };
