@@ -149,7 +149,8 @@ bool EmitterSampler::Light::lights(const glm::dvec3& point) const
     const glm::dvec3 p = point - center;
     if (shape == AreaLight::SPHERE) return glm::dot(p, p) > radius * radius;
     const double height = glm::dot(normal(), p);
-    return height > 0.0 || (twoSided && height < 0.0);
+    const double onIt = 1e-7 * extent;  // in its plane but for rounding: its own surface, which does not light itself
+    return height > onIt || (twoSided && height < -onIt);
 }
 
 double EmitterSampler::solidAngle(const Light& light, const glm::dvec3& point)

@@ -270,7 +270,7 @@ glm::dvec3 LightTransport::indirect(const Start& start, std::uint64_t seed) cons
         sampleDirect(next, 1.0, arrivals);
         if (_lights) addLights(at, reflection, 1.0, arrivals);
         // An emitter's light has been counted where the path comes from.
-        const glm::dvec3 emission = at.mesh->emitter < 0 ? reflection.emission() : glm::dvec3(0.0);
+        const glm::dvec3 emission = at.mesh->emitter < 0 && !at.mesh->lamp ? reflection.emission() : glm::dvec3(0.0);
         sum += throughput * (emission + resolve(arrivals).visible());
     }
 }

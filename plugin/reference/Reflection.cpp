@@ -92,7 +92,7 @@ Reflection::Reflection(const SurfaceHit& hit, const Ray& ray, const glm::dvec4& 
 {
     const SurfaceMaterial& m = hit.mesh->material;
     const glm::dvec3 base(color);
-    _emission = m.unlit ? base : m.emission;
+    _emission = (m.unlit ? base : m.emission) * m.emissionScale;
     if (m.unlit) return;
     _albedo = base;
     _base.brdf = m.brdf;

@@ -42,8 +42,8 @@ class ImmediatePager : public osg::NodeVisitor::DatabaseRequestHandler
 class Flattener
 {
   public:
-    Flattener(osg::Node& scene, osg::Camera& camera, const osg::FrameStamp* frame, bool linearColors)
-        : _scene(scene), _camera(camera), _frame(frame ? frame : new osg::FrameStamp), _linearColors(linearColors)
+    Flattener(osg::Node& scene, osg::Camera& camera, const osg::FrameStamp* frame, const SceneReading& reading)
+        : _scene(scene), _camera(camera), _frame(frame ? frame : new osg::FrameStamp), _reading(reading)
     {
     }
 
@@ -174,20 +174,56 @@ class Flattener
         std::set<std::string> leftOut;
         TriangleMesh mesh;
         mesh.emitter = emitterOf(leaf);
-        mesh.material = state.material(*geometry, _linearColors, _textures, leftOut);
+        mesh.material = state.material(*geometry, _reading.linearColors, _textures, leftOut);
+        if (mesh.emitter < 0) mesh.material.emissionScale = _reading.emissionScale;
         const osg::Vec3d axis = osg::Matrixd::transform3x3(osg::Vec3d(0, 0, 1), worldFromModel(leaf));
         mesh.material.axis = toGlm(axis);
         if (geometry->getDrawCallback()) leftOut.insert("draw callbacks");
         if (!appendTriangles(*geometry, worldFromModel(leaf), state.textureMatrix(), _result.origin, mesh, _result))
             leftOut.insert("points and lines");
+        if (mesh.emitter < 0 && !state.drawnForward(geometry)) addLamp(state, mesh, leftOut);
         for (const std::string& what : leftOut) ++_leftOut[what];
         if (!mesh.triangles.empty()) _result.meshes.push_back(std::move(mesh));
     }
 
+    // Of what is no area light all directions find the emission, in time.
+    void addLamp(const SceneState& state, TriangleMesh& mesh, std::set<std::string>& leftOut)
+    {
+        const LampRule rule{std::isfinite(_reading.leastLamp), float(_reading.leastLamp / _reading.emissionScale),
+                            !_reading.linearColors};
+        const osg::Vec3d radiance = osg::Vec3d(state.lampEmission(rule)) * _reading.emissionScale;
+        if (radiance == osg::Vec3d()) return;
+        if (mesh.triangles.size() > mostLampTriangles) {
+            leftOut.insert("lamps of more than " + std::to_string(mostLampTriangles) + " triangles, in direct light");
+            return;
+        }
+        mesh.lamp = true;
+        for (const glm::uvec3& t : mesh.triangles) {
+            const auto corner = [&](int k) {
+                const glm::vec3& p = mesh.positions[t[k]];
+                return osg::Vec3d(double(p.x), double(p.y), double(p.z));
+            };
+            Emitter e;
+            e.shape = AreaLight::POLYGON;
+            e.center = (corner(0) + corner(1) + corner(2)) / 3.0;
+            for (int k = 0; k < 3; ++k) e.vertices.push_back(corner(k) - e.center);
+            e.triangles = {0, 1, 2};
+            e.normal = (e.vertices[1] - e.vertices[0]) ^ (e.vertices[2] - e.vertices[0]);
+            e.area = 0.5 * e.normal.normalize();
+            e.radiance = radiance;
+            e.twoSided = !state.culled();
+            e.drawn = true;
+            if (e.area > 0.0) _result.emitters.push_back(std::move(e));
+        }
+    }
+
+    // Each is looked at from each point.
+    static constexpr size_t mostLampTriangles = 1024;
+
     osg::Node& _scene;
     osg::Camera& _camera;
     osg::ref_ptr<const osg::FrameStamp> _frame;
-    const bool _linearColors;
+    const SceneReading _reading;
     osg::ref_ptr<osgUtil::CullVisitor> _visitor;
     osg::ref_ptr<osgUtil::StateGraph> _root;
     osg::ref_ptr<osgUtil::RenderStage> _stage;
@@ -202,9 +238,9 @@ class Flattener
 
 }  // namespace
 
-TriangleScene flattenScene(osg::Node& scene, osg::Camera& camera, const osg::FrameStamp* frame, bool linearColors)
+TriangleScene flattenScene(osg::Node& scene, osg::Camera& camera, const osg::FrameStamp* frame, const SceneReading& reading)
 {
-    return Flattener(scene, camera, frame, linearColors).flatten();
+    return Flattener(scene, camera, frame, reading).flatten();
 }
 
 }  // namespace osgEnvLight

@@ -27,6 +27,13 @@ osg::ref_ptr<const osgEnvLight::RadianceMap> radianceOf(const osgEnvLight::LitSc
     return map;
 }
 
+// The exposure that a picture has before the setting's stops.
+double baseStops(const osgEnvLight::LitScene& lit)
+{
+    const bool follows = lit.getSettings()->exposureBase == osgEnvLight::Settings::EXPOSURE_MAP;
+    return follows ? osgEnvLight::mapExposure(*radianceOf(lit)) : 0.0;
+}
+
 }  // namespace
 
 ReferenceScene::ReferenceScene(osgEnvLight::LitScene& lit, const SceneOptions& options) : _lit(lit)
@@ -47,8 +54,13 @@ ReferenceScene::ReferenceScene(osgEnvLight::LitScene& lit, const SceneOptions& o
         update.setTraversalNumber(i);
         lit.accept(update);
     }
-    const bool linearColors = lit.getSettings()->materialColors == osgEnvLight::Settings::COLORS_LINEAR;
-    _triangles = osgEnvLight::flattenScene(lit, camera, frame, linearColors);
+    const osgEnvLight::Settings& settings = *lit.getSettings();
+    osgEnvLight::SceneReading reading;
+    reading.linearColors = settings.materialColors == osgEnvLight::Settings::COLORS_LINEAR;
+    if (!reading.linearColors && settings.output == osgEnvLight::Settings::DISPLAY)
+        reading.emissionScale = std::exp2(-baseStops(lit));
+    if (settings.emissiveMeshes) reading.leastLamp = radianceOf(lit)->mean * lit.getEnvironmentMap()->getIntensity();
+    _triangles = osgEnvLight::flattenScene(lit, camera, frame, reading);
     _rays = std::make_unique<osgEnvLight::RayScene>(_triangles);
     _camera = std::make_unique<osgEnvLight::RayCamera>(camera, lit.getBound());
     const osgEnvLight::EnvironmentMap& map = *lit.getEnvironmentMap();
@@ -93,8 +105,7 @@ void ReferenceScene::encodeNormal(float* normal) const
 osg::ref_ptr<osg::Image> ReferenceScene::displayed(const osgEnvLight::Picture& picture) const
 {
     const osgEnvLight::Settings& s = *_lit.getSettings();
-    const bool follows = s.exposureBase == osgEnvLight::Settings::EXPOSURE_MAP;
-    const double stops = double(s.exposure) + (follows ? osgEnvLight::mapExposure(*radianceOf(_lit)) : 0.0);
+    const double stops = double(s.exposure) + baseStops(_lit);
     osgEnvLight::Picture encoded = picture;
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x) {

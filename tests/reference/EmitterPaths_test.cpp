@@ -52,6 +52,32 @@ TEST(ReferenceEmitters, MapAndLightsAddUp)
     }
 }
 
+// Found by the paths that meet it or sampled, its light is the same.
+TEST(ReferenceEmitters, ALampIsItsTriangles)
+{
+    const osg::ref_ptr<osg::Geode> bulb = makeSphere(osg::Vec3d(0.3, 0.2, 0.8), 0.3, 24);
+    Material::setLambert(*bulb->getOrCreateStateSet(), osg::Vec3f(0.5f, 0.5f, 0.5f));
+    Material::setEmission(*bulb->getStateSet(), osg::Vec3f(2, 2, 2));
+    const auto ball = makeSphere(osg::Vec3d(-0.4, 0, 0.25), 0.25, 24);
+    Material::setCookTorrance(*ball->getOrCreateStateSet(), osg::Vec3f(0.6f, 0.2f, 0.2f), 0.3f, 0.4f);
+    const auto render = [&](osg::Node& lamp, ReferenceOptions::Paths paths, double leastLamp, unsigned samples) {
+        const auto scene = together({whiteFloor(1.0), ball, &lamp});
+        const Traced view = perspectiveView(*scene, osg::Vec3d(1, -3, 2), osg::Vec3d(0, 0, 0.2), 32, 40.0, leastLamp);
+        return estimateOf(view.render(night, options(ReferenceOptions::MIS, paths, samples), allTerms), Layer::BEAUTY);
+    };
+    const Estimate met = render(*bulb, ReferenceOptions::FULL, HUGE_VAL, 1024);
+    const Estimate sampled = render(*bulb, ReferenceOptions::FULL, 1.0, 16);
+    expectNear({met.value, std::hypot(met.error, sampled.error), met.pixels}, sampled.value, "full");
+    EXPECT_GT(sampled.value, 0.1);
+    EXPECT_LT(sampled.error, 0.6 * 8.0 * met.error);  // at a 64th of the samples, which alone would cost a factor of 8
+    EXPECT_EQ(render(*bulb, ReferenceOptions::FULL, 2.5, 16).value, render(*bulb, ReferenceOptions::FULL, HUGE_VAL, 16).value);
+
+    // Direct light, as of an area light in its place; of the ball's facets 1 % less.
+    const Estimate direct = render(*bulb, ReferenceOptions::DIRECT, 1.0, 64);
+    const Estimate light = render(*sphere(osg::Vec3d(0.3, 0.2, 0.8), 0.3, 2.0), ReferenceOptions::DIRECT, HUGE_VAL, 64);
+    EXPECT_NEAR(direct.value, light.value, 0.015 * light.value + 3.0 * std::hypot(direct.error, light.error));
+}
+
 TEST(ReferenceEmitters, GlossyFloorsReflectAScreen)
 {
     const osg::ref_ptr<AreaLight> screen = lamp(2.0);
@@ -205,7 +231,7 @@ TEST(ReferenceEmitters, IntegrandsAndLightListsHaveThem)
     camera->setViewport(0, 0, 1, 1);
     camera->setViewMatrixAsLookAt(osg::Vec3d(0, 0, 1e-3), osg::Vec3d(), osg::Vec3d(0, 1, 0));
     camera->setProjectionMatrixAsOrtho(-1e-4, 1e-4, -1e-4, 1e-4, 0.0, 1.0);
-    const osgEnvLight::TriangleScene triangles = osgEnvLight::flattenScene(*scene, *camera, nullptr, true);
+    const osgEnvLight::TriangleScene triangles = osgEnvLight::flattenScene(*scene, *camera, nullptr, {true});
     const osgEnvLight::RayScene rays(triangles);
     const osgEnvLight::RayCamera rayCamera(camera->getViewMatrix(), camera->getProjectionMatrix(), 1, 1, 0.0);
     osgEnvLight::Reference reference(rays, rayCamera, day);

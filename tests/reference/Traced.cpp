@@ -57,13 +57,15 @@ Incident ConeEnvironment::sample(const glm::dvec2& u) const
     return {direction, glm::dvec3(1.0), 1.0 / (2.0 * pi * (1.0 - _cosine))};
 }
 
-Traced::Traced(osg::Node& scene, const osg::Matrixd& view, const osg::Matrixd& projection, int width, int height)
+Traced::Traced(osg::Node& scene, const osg::Matrixd& view, const osg::Matrixd& projection, int width, int height,
+               double leastLamp)
 {
     osg::ref_ptr<osg::Camera> camera = new osg::Camera;
     camera->setViewport(0, 0, width, height);
     camera->setViewMatrix(view);
     camera->setProjectionMatrix(projection);
-    _triangles = osgEnvLight::flattenScene(scene, *camera, nullptr, true);  // radiances and albedos written as numbers
+    _triangles =
+        osgEnvLight::flattenScene(scene, *camera, nullptr, {true, 1.0, leastLamp});  // radiances and albedos written as numbers
     _rays = std::make_unique<osgEnvLight::RayScene>(_triangles);
     _camera = std::make_unique<osgEnvLight::RayCamera>(view, projection, width, height, 0.0);
 }
@@ -82,11 +84,13 @@ Traced parallelView(osg::Node& scene, const osg::Vec3d& eye, const osg::Vec3d& d
                   pixels);
 }
 
-Traced perspectiveView(osg::Node& scene, const osg::Vec3d& eye, const osg::Vec3d& target, int pixels, double fovy)
+Traced perspectiveView(osg::Node& scene, const osg::Vec3d& eye, const osg::Vec3d& target, int pixels, double fovy,
+                       double leastLamp)
 {
     const osg::Vec3d d = target - eye;
     const osg::Vec3d up = std::abs(d.z()) > 0.99 * d.length() ? osg::Vec3d(0, 1, 0) : osg::Vec3d(0, 0, 1);
-    return Traced(scene, osg::Matrixd::lookAt(eye, target, up), osg::Matrixd::perspective(fovy, 1.0, 1.0, 1e4), pixels, pixels);
+    return Traced(scene, osg::Matrixd::lookAt(eye, target, up), osg::Matrixd::perspective(fovy, 1.0, 1.0, 1e4), pixels, pixels,
+                  leastLamp);
 }
 
 Estimate estimateOf(const ReferenceResult& result, Layer layer)

@@ -45,7 +45,9 @@ class ConeEnvironment : public Environment
 class Traced
 {
   public:
-    Traced(osg::Node& scene, const osg::Matrixd& view, const osg::Matrixd& projection, int width, int height);
+    /** @param leastLamp  SceneReading's */
+    Traced(osg::Node& scene, const osg::Matrixd& view, const osg::Matrixd& projection, int width, int height,
+           double leastLamp = HUGE_VAL);
 
     ReferenceResult render(const Environment& environment, const ReferenceOptions& options,
                            const std::set<Layer>& layers = {}) const;
@@ -60,7 +62,8 @@ class Traced
 /** Seen along a direction by parallel rays that start at the eye, in a square window. */
 Traced parallelView(osg::Node& scene, const osg::Vec3d& eye, const osg::Vec3d& direction, double window, int pixels);
 /** From an eye to a target. */
-Traced perspectiveView(osg::Node& scene, const osg::Vec3d& eye, const osg::Vec3d& target, int pixels, double fovy = 40.0);
+Traced perspectiveView(osg::Node& scene, const osg::Vec3d& eye, const osg::Vec3d& target, int pixels, double fovy = 40.0,
+                       double leastLamp = HUGE_VAL);
 
 /** A mean over the pixels with geometry, red channel, with its standard error. */
 struct Estimate {

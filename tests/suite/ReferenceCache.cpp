@@ -165,7 +165,7 @@ void ContentHash::material(const osgEnvLight::SurfaceMaterial& m)
     bytes(&m.color, sizeof m.color);
     bytes(&m.specular, sizeof m.specular);
     bytes(&m.emission, sizeof m.emission);
-    for (double d : {m.exponent, m.metalness, m.roughness, m.alphaReference}) value(d);
+    for (double d : {m.emissionScale, m.exponent, m.metalness, m.roughness, m.alphaReference}) value(d);
     for (bool b : {m.encoded, m.unlit, m.vertexColored, m.limited, m.alphaTest, m.blended, m.clockwiseFront}) value(b);
     value(m.alphaFunction);
     value(m.sides);

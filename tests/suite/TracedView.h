@@ -15,7 +15,11 @@ inline osgEnvLight::ReferenceResult tracedView(osgEnvLight::LitScene& lit, Scene
     osg::Camera& camera = *renderer.viewer().getCamera();
     std::string error;
     const osg::ref_ptr<const osgEnvLight::RadianceMap> map = lit.getEnvironmentMap()->radiance(error);
-    const osgEnvLight::TriangleScene triangles = osgEnvLight::flattenScene(lit, camera, renderer.viewer().getFrameStamp());
+    osgEnvLight::SceneReading reading;
+    reading.linearColors = lit.getSettings()->materialColors == osgEnvLight::Settings::COLORS_LINEAR;
+    if (lit.getSettings()->emissiveMeshes) reading.leastLamp = map->mean;
+    const osgEnvLight::TriangleScene triangles =
+        osgEnvLight::flattenScene(lit, camera, renderer.viewer().getFrameStamp(), reading);
     const osgEnvLight::RayScene rays(triangles);
     const osgEnvLight::RayCamera eye(camera, lit.getBound());
     const osgEnvLight::MapEnvironment environment(*map, 0.0, 1.0);
