@@ -42,6 +42,13 @@ Material cookTorrance(const osg::Vec3d& baseColor, double metalness, double roug
     return material;
 }
 
+Material glow(const osg::Vec3d& emission)
+{
+    Material m = lambert({});
+    m.emission = emission;
+    return m;
+}
+
 namespace
 {
 
@@ -72,6 +79,8 @@ osg::ref_ptr<osg::Material> fixedFunction(const std::string& name, const Materia
     osg::ref_ptr<osg::Material> result = new osg::Material;
     result->setName(name);
     result->setAmbient(osg::Material::FRONT_AND_BACK, osg::Vec4(diffuse, 1));
+    const double brightest = std::max({material.emission[0], material.emission[1], material.emission[2], 1.0});
+    result->setEmission(osg::Material::FRONT_AND_BACK, osg::Vec4(displayed(material.emission / brightest), 1));
     result->setDiffuse(osg::Material::FRONT_AND_BACK, osg::Vec4(diffuse, static_cast<float>(material.opacity)));
     result->setSpecular(osg::Material::FRONT_AND_BACK, osg::Vec4(specular, 1));
     result->setShininess(osg::Material::FRONT_AND_BACK, static_cast<float>(std::min(shininess, largestShininess)));
@@ -88,7 +97,9 @@ std::string json(const osg::Vec3d& v)
 std::string json(const Material& m)
 {
     std::ostringstream text;
-    if (m.brdf == Brdf::Lambert)
+    if (m.emission != osg::Vec3d())
+        text << R"({ "brdf": "lambert", "diffuse": )" << json(m.color) << R"(, "emission": )" << json(m.emission) << " }";
+    else if (m.brdf == Brdf::Lambert)
         text << R"({ "brdf": "lambert", "diffuse": )" << json(m.color) << " }";
     else if (m.brdf == Brdf::Phong)
         text << R"({ "brdf": "phong", "diffuse": )" << json(m.color) << R"(, "specular": )" << json(m.specular)
@@ -147,7 +158,9 @@ void Scene::write(const std::string& folder) const
          << "\", \"rotation\": " << _environment.rotation << ", \"intensity\": " << _environment.intensity
          << " },\n    \"camera\": { \"eye\": " << json(_camera.eye) << ", \"target\": " << json(_camera.target)
          << ", \"up\": [0, 0, 1], \"fovy\": " << _camera.fovy
-         << " },\n    \"settings\": { \"exposure\": " << _environment.exposure << " },\n    \"materials\": {";
+         << " },\n    \"settings\": { \"exposure\": " << _environment.exposure;
+    for (const auto& [name, value] : _settings) file << ", \"" << name << "\": " << value;
+    file << " },\n    \"materials\": {";
     const char* separator = "\n";
     for (const auto& [name, material] : _materials) {
         if (material.opacity < 1) continue;  // only its osg::Material can say so

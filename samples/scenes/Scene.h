@@ -23,11 +23,14 @@ struct Material {
     double metalness = 0;
     double roughness = 1;
     double opacity = 1;
+    osg::Vec3d emission = {};  ///< linear
 };
 
 Material lambert(const osg::Vec3d& diffuse);
 Material phong(const osg::Vec3d& diffuse, double specular, double exponent);
 Material cookTorrance(const osg::Vec3d& baseColor, double metalness, double roughness);
+/// Black but for what it emits.
+Material glow(const osg::Vec3d& emission);
 
 struct Environment {
     std::string map;
@@ -59,6 +62,9 @@ class Scene
     /// An area light, as an entry of "lights" in the .envlight file.
     void addLight(const std::string& description) { _lights.push_back(description); }
 
+    /// A setting of the .envlight file.
+    void set(const std::string& name, int value) { _settings[name] = value; }
+
     /// An image file beside the .envlight file, for lights.
     void addImage(const std::string& fileName, osg::Image* image) { _images[fileName] = image; }
 
@@ -72,6 +78,7 @@ class Scene
     std::map<std::string, Material> _materials;
     std::map<std::string, osg::ref_ptr<osg::StateSet>> _states;
     std::vector<std::string> _lights;
+    std::map<std::string, int> _settings;
     std::map<std::string, osg::ref_ptr<osg::Image>> _images;
     osg::ref_ptr<osg::Group> _root;
 };
@@ -80,6 +87,7 @@ Scene chess();
 Scene atrium();
 Scene cornell();
 Scene livingRoom();
+Scene street();
 Scene swing();
 Scene materialSpheres();
 

@@ -16,8 +16,8 @@ int main(int argc, char** argv)
     const std::string folder = argv[1];
     try {
         if (!osgDB::makeDirectory(folder)) throw std::runtime_error("cannot make the folder " + folder);
-        for (const auto& make :
-             {scenes::chess, scenes::atrium, scenes::cornell, scenes::livingRoom, scenes::swing, scenes::materialSpheres})
+        for (const auto& make : {scenes::chess, scenes::atrium, scenes::cornell, scenes::livingRoom, scenes::street,
+                                 scenes::swing, scenes::materialSpheres})
             make().write(folder);
     } catch (const std::exception& error) {
         std::cerr << "envlight-scenes: " << error.what() << '\n';

@@ -164,6 +164,7 @@ TEST(SunLevels, TheSunsDontChangeWithWhatDAsks)
     SceneRenderer renderer(96, 96);
     osg::ref_ptr<LitScene> lit = sunny(osg::Vec3d(1, 0.3, 1));
     lit->getSettings()->view = Settings::BEAUTY;  // under a black sky: the suns' and the lamp's light alone
+    lit->getSettings()->emissiveMeshes = false;   // an area light has shadows, too
     lit->addChild(makeBox(osg::Vec3d(-2, -2, -0.2), osg::Vec3d(2, 2, 0)));
     lit->addChild(makeSphere(osg::Vec3d(0, 0, 0.7), 0.7));
     osg::ref_ptr<osg::Geode> lamp = makeBox(osg::Vec3d(0.9, -0.2, 0), osg::Vec3d(1.1, 0, 0.5));

@@ -286,6 +286,23 @@ TEST_F(Materials, RoughDiffuseLayersOfASceneDescription)
     EXPECT_NE(std::string::npos, error.find("without a coat")) << error;
 }
 
+TEST_F(Materials, EmissionInASceneDescription)
+{
+    const osg::ref_ptr<LitScene> lit =
+        build({"a"}, R"({"a": {"brdf": "lambert", "diffuse": [0, 0, 0], "emission": [1, 20, 0.5], "light": "off"}})");
+    ASSERT_TRUE(lit) << error;
+    osg::Vec3f emission;
+    int mode = -1;
+    stateSet(*lit, 0).getUniform("envlightEmission")->get(emission);
+    stateSet(*lit, 0).getUniform("envlightLightMode")->get(mode);
+    EXPECT_EQ(osg::Vec3f(1, 20, 0.5f), emission);
+    EXPECT_EQ(int(Material::LIGHT_OFF), mode);
+    EXPECT_FALSE(build({"a"}, R"({"a": {"brdf": "lambert", "emission": [1, -1, 1]}})"));
+    EXPECT_NE(std::string::npos, error.find("0..1e12")) << error;
+    EXPECT_FALSE(build({"a"}, R"({"a": {"brdf": "lambert", "light": "yes"}})"));
+    EXPECT_NE(std::string::npos, error.find("\"auto\", \"on\" or \"off\"")) << error;
+}
+
 TEST_F(Materials, UnitsOfMapsInASceneDescription)
 {
     const osg::ref_ptr<LitScene> lit = build(

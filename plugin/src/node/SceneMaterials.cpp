@@ -44,10 +44,20 @@ int readBrdf(const Value& v)
     const auto found = std::find_if(std::begin(all), std::end(all), [&](const Brdf& b) { return name == b.name; });
     if (found == std::end(all))
         v.fail("an object whose brdf is \"lambert\", \"phong\", \"blinn-phong\", \"cook-torrance\" or \"strauss\"");
-    std::vector<std::string> keys = {"brdf", "normalMap", "emissionMap", "topIsZero"};
+    std::vector<std::string> keys = {"brdf", "emission", "light", "normalMap", "emissionMap", "topIsZero"};
     keys.insert(keys.end(), found->keys.begin(), found->keys.end());
     v.object(keys, "a material");
     return found->number;
+}
+
+Material::LightMode readLightMode(const Value& v)
+{
+    const std::pair<const char*, Material::LightMode> modes[] = {
+        {"auto", Material::LIGHT_AUTO}, {"on", Material::LIGHT_ON}, {"off", Material::LIGHT_OFF}};
+    const std::string text = v.get().is_string() ? v.string() : std::string();
+    for (const auto& [name, mode] : modes)
+        if (text == name) return mode;
+    v.fail("\"auto\", \"on\" or \"off\"");
 }
 
 void readMapUnits(const Value& v, MaterialDescription& m)
@@ -165,10 +175,12 @@ class MaterialVisitor : public osg::NodeVisitor
 
     static void setMapUnits(osg::StateSet& s, const MaterialDescription& m)
     {
+        if (m.emission) Material::setEmission(s, *m.emission);
+        if (m.light) Material::setLight(s, *m.light);
         if (m.normalMap > 0) Material::setNormalMap(s, nullptr, 1.0f, m.topIsZero, 0, m.normalMap);
         if (m.metalRoughMap > 0) Material::setMetalRoughMap(s, nullptr, 0, m.metalRoughMap);
         if (m.emissionMap > 0) {
-            Material::setEmission(s, osg::Vec3f(1, 1, 1));
+            if (!m.emission) Material::setEmission(s, osg::Vec3f(1, 1, 1));
             Material::setEmissionMap(s, nullptr, 0, m.emissionMap);
         }
     }
@@ -192,6 +204,8 @@ MaterialDescription readMaterial(const Value& v, const std::string& name)
     if (v.has("diffuse")) m.diffuse = color(v["diffuse"]);
     if (v.has("specular")) m.specular = color(v["specular"]);
     if (v.has("baseColor")) m.baseColor = color(v["baseColor"]);
+    if (v.has("emission")) m.emission = osg::Vec3f(v["emission"].vector(0, 1e12, "three linear colour values in 0..1e12"));
+    if (v.has("light")) m.light = readLightMode(v["light"]);
     const auto read = [&v](const char* key, float& number, double low, double high, const char* expected) {
         if (v.has(key)) number = float(v[key].number(low, high, expected));
     };

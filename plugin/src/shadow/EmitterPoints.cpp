@@ -182,8 +182,8 @@ std::vector<EmitterPoint> pointsOfMany(std::vector<Side> sides, unsigned count)
         while (points.size() < count && (double(points.size()) + 0.5) / count * total < before) {
             const auto k = double(points.size());
             EmitterPoint point = pointAt(side, std::fmod(k * golden + 0.5, 1.0), std::fmod(k * golden * golden + 0.25, 1.0));
-            point.area = side.light->area;
-            point.power = point.even = side.light->radiance * (side.light->area * total / (count * side.flux));
+            point.area = side.light->area * total / (count * side.flux);  // also for neighbours that have none
+            point.power = point.even = side.light->radiance * point.area;
             points.push_back(point);
         }
     }

@@ -18,12 +18,12 @@ using Triangles = std::vector<MeshTriangle>;
 using Places = std::vector<osg::Vec3d>;
 
 const size_t mostFlatParts = 12;   // of a body that is taken by them
-const size_t mostDiscs = 16;       // that stand for another body
+const size_t mostPlates = 32;      // that stand for another body
 const double roundness = 0.03;     // share of its radius by which a ball's or a disc's corners may be off it
 const size_t leastBallFaces = 20;  // an icosahedron is a ball
 const size_t leastDiscCorners = 12;
-const double leastLoss = 0.03;  // of the area that a disc's directions cost, below which it is not split for them
-const double evenDisc = 0.5;    // mean square distance from the middle, in areas over pi
+const double leastLoss = 0.03;  // of the area that a plate's directions cost, below which it is not split for them
+const double mostBend = 1.5;    // times the spread across of a flat strip of that length and area
 
 double areaOf(const Triangles& triangles)
 {
@@ -161,6 +161,9 @@ osg::Vec3d mainAxis(const Triangles& triangles, F vectorOf)
     return axis;
 }
 
+const auto normalOf = [](const MeshTriangle& t) { return t.normal; };
+const auto placeOf = [](const MeshTriangle& t) { return t.center; };
+
 template <class F>
 bool split(const Triangles& all, F vectorOf, Triangles& low, Triangles& high)
 {
@@ -172,64 +175,101 @@ bool split(const Triangles& all, F vectorOf, Triangles& low, Triangles& high)
     return !low.empty() && !high.empty();
 }
 
-// By how much a disc is not what these triangles are, in areas: what their directions cost, and how far they reach beyond it.
+// Mean square distance from the middle along a direction.
+double spreadAlong(const Triangles& triangles, const Places& places, const osg::Vec3d& axis)
+{
+    const double middle = centerOf(triangles) * axis;
+    double sum = 0.0;
+    for (const MeshTriangle& t : triangles) {
+        double corners = 0.0;
+        for (unsigned corner : t.corners) corners += std::pow(places[corner] * axis - middle, 2);
+        sum += t.area / 12.0 * (corners + 9.0 * std::pow(t.center * axis - middle, 2));  // of a triangle, exactly
+    }
+    return sum / areaOf(triangles);
+}
+
+// An arc, a wave or a ring, which is wider than what has its area along its length.
+bool isBent(const Triangles& triangles, const Places& places)
+{
+    const osg::Vec3d along = mainAxis(triangles, placeOf);
+    const auto besides = [&](const MeshTriangle& t) { return t.center - along * (t.center * along); };
+    const osg::Vec3d across = mainAxis(triangles, besides);
+    const double length = std::sqrt(12.0 * spreadAlong(triangles, places, along)), width = areaOf(triangles) / length;
+    return spreadAlong(triangles, places, across) > mostBend * width * width / 12.0;
+}
+
+// What keeps these triangles from being a rectangle: their directions or their bend.
 struct Misfit {
-    double directions, reach;
-    double sum() const { return directions + reach; }
+    double area;
+    bool bent;
+    double loss;  // share of the area that the directions cost
+    double sum() const { return bent ? 2.0 * area : loss > leastLoss ? loss * area : 0.0; }
 };
 
-Misfit misfitOf(const Triangles& triangles)
+Misfit misfitOf(const Triangles& triangles, const Places& places)
 {
-    const double area = areaOf(triangles), loss = area - shownBy(triangles).length();
-    const osg::Vec3d center = centerOf(triangles);
-    double square = 0.0;
-    for (const MeshTriangle& t : triangles) square += t.area * (t.center - center).length2();
-    const double spread = square / area / (area / osg::PI);
-    return {loss > leastLoss * area ? loss : 0.0, spread > 4.0 * evenDisc ? 0.01 * area * std::min(spread, 10.0) : 0.0};
+    const double area = areaOf(triangles), loss = 1.0 - shownBy(triangles).length() / area;
+    return {area, isBent(triangles, places), loss};
 }
 
-bool splitForDisc(const Triangles& all, Triangles& low, Triangles& high)
+// Parts that are nearly rectangles, or as many as there may be.
+std::vector<Triangles> clustersOf(const Triangles& triangles, const Places& places)
 {
-    const Misfit misfit = misfitOf(all);
-    const auto normal = [](const MeshTriangle& t) { return t.normal; };
-    const auto place = [](const MeshTriangle& t) { return t.center; };
-    return misfit.directions > misfit.reach ? split(all, normal, low, high) : split(all, place, low, high);
-}
-
-// Parts that are nearly discs, or as many as there may be.
-std::vector<Triangles> clustersOf(const Triangles& triangles)
-{
-    std::vector<Triangles> done, open = {triangles};
-    const auto less = [](const Triangles& a, const Triangles& b) { return misfitOf(a).sum() < misfitOf(b).sum(); };
-    while (!open.empty() && open.size() + done.size() < mostDiscs) {
+    struct Open {
+        Triangles triangles;
+        Misfit misfit;
+    };
+    std::vector<Triangles> done;
+    std::vector<Open> open = {{triangles, misfitOf(triangles, places)}};
+    const auto less = [](const Open& a, const Open& b) { return a.misfit.sum() < b.misfit.sum(); };
+    while (!open.empty() && open.size() + done.size() < mostPlates) {
         const auto worst = std::max_element(open.begin(), open.end(), less);
-        Triangles all, low, high;
-        all.swap(*worst);
+        const Open all = std::move(*worst);
         open.erase(worst);
-        if (misfitOf(all).sum() <= 0.0 || !splitForDisc(all, low, high)) {
-            done.push_back(std::move(all));
+        Triangles low, high;
+        const bool fits = all.misfit.sum() <= 0.0;
+        if (fits || !(all.misfit.bent ? split(all.triangles, placeOf, low, high) : split(all.triangles, normalOf, low, high))) {
+            done.push_back(all.triangles);
             continue;
         }
-        open.push_back(std::move(low));
-        open.push_back(std::move(high));
+        open.push_back({low, misfitOf(low, places)});
+        open.push_back({high, misfitOf(high, places)});
     }
-    done.insert(done.end(), open.begin(), open.end());
+    for (Open& o : open) done.push_back(std::move(o.triangles));
     return done;
 }
 
-void addDiscs(const Triangles& triangles, const Places& places, bool bothSides, std::vector<Emitter>& shapes)
+// As long and wide as the triangles are spread, with the area that they show, on top of them.
+Emitter plateOf(const Triangles& triangles, const Places& places, const osg::Vec3d& normal, double area)
+{
+    const osg::Vec3d center = centerOf(triangles);
+    double height = 0.0;
+    for (const MeshTriangle& t : triangles)
+        for (unsigned corner : t.corners) height = std::max(height, (places[corner] - center) * normal);
+    Emitter e = emitter(AreaLight::RECTANGLE, center + normal * height);
+    e.normal = normal;
+    e.area = area;
+    osg::Vec3d along = mainAxis(triangles, [&](const MeshTriangle& t) { return t.center - normal * (t.center * normal); });
+    if (along.length2() < 0.5) along = std::abs(normal.x()) < 0.6 ? osg::Vec3d(1, 0, 0) ^ normal : osg::Vec3d(0, 1, 0) ^ normal;
+    along.normalize();
+    const osg::Vec3d across = normal ^ along;
+    const double length = std::sqrt(spreadAlong(triangles, places, along)),
+                 width = std::sqrt(spreadAlong(triangles, places, across));
+    const double ratio = std::max(length, 1e-9) / std::max(width, 1e-9 * length + 1e-300);
+    e.u = along * (0.5 * std::sqrt(area * ratio));
+    e.v = across * (0.5 * std::sqrt(area / ratio));
+    return e;
+}
+
+void addPlates(const Triangles& triangles, const Places& places, bool bothSides, std::vector<Emitter>& shapes)
 {
     const size_t first = shapes.size();
     double area = 0.0;
-    for (const Triangles& cluster : clustersOf(triangles)) {
+    for (const Triangles& cluster : clustersOf(triangles, places)) {
         osg::Vec3d normal = shownBy(cluster);
         const double shown = normal.normalize();
         if (shown <= 1e-6 * areaOf(cluster)) continue;  // as much one way as the other: from afar it shows nothing
-        osg::Vec3d center = centerOf(cluster);
-        double height = 0.0;
-        for (const MeshTriangle& t : cluster)
-            for (unsigned corner : t.corners) height = std::max(height, (places[corner] - center) * normal);
-        shapes.push_back(disc(center + normal * height, normal, shown));
+        shapes.push_back(plateOf(cluster, places, normal, shown));
         shapes.back().twoSided = bothSides;
         area += shown;
     }
@@ -243,14 +283,14 @@ void addShapes(const MeshBodies::Body& body, const Places& places, bool bothSide
         return;
     }
     const std::vector<Triangles> parts = flatPartsOf(body, places);
-    if (parts.size() > mostFlatParts) return addDiscs(body.triangles, places, false, shapes);
+    if (parts.size() > mostFlatParts) return addPlates(body.triangles, places, false, shapes);
     for (const Triangles& part : parts) {
         const bool both = body.open && bothSides;
         if (const auto shape = flatShapeOf(part, places)) {
             shapes.push_back(*shape);
             shapes.back().twoSided = both;
         } else {
-            addDiscs(part, places, both, shapes);
+            addPlates(part, places, both, shapes);
         }
     }
 }
