@@ -122,6 +122,19 @@ TEST_F(MeshLights, WhatIsNoLampByItself)
     EXPECT_FALSE(isLight(unlit));
 }
 
+TEST_F(MeshLights, NumbersThatAreNoneLightNothing)
+{
+    for (const float wrong : {std::nanf(""), HUGE_VALF, -1.0f}) {
+        EXPECT_FALSE(isLight(makePanel(height, osg::Vec3f(wrong, wrong, wrong)))) << wrong;
+        const osg::ref_ptr<osg::Geode> panel = makePanel(height, osg::Vec3f(wrong, 1, 1));
+        lit->addChild(panel);
+        const osg::Vec3d c = middle();
+        EXPECT_EQ(0.0, c[0]);
+        EXPECT_GT(c[1], 0.05) << wrong;
+        lit->removeChild(panel);
+    }
+}
+
 // An environment that outshines it: models whose materials glow a little to be seen in OpenGL's own light are no lamps.
 TEST_F(MeshLights, IsBrighterThanTheMap)
 {

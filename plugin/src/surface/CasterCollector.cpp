@@ -158,10 +158,11 @@ void CasterCollector::add(const osg::Geometry& geometry, const osg::Matrixd& eye
         caster.sent = state.sentLight(geometry, _displayColors);
         if (caster.state) caster.sent.opacity = state.opacity();
     }
-    if (_lampRule.finds && !state.drawnForward(&geometry)) {
-        caster.lamp = state.lampEmission(_lampRule);
+    const osg::Vec3f lamp = state.lampEmission(_lampRule);
+    if (lamp != osg::Vec3f() && !state.drawnForward(&geometry)) {
+        caster.lamp = lamp;
         caster.bothSides = !state.culled();
-        if (caster.lamp != osg::Vec3f()) caster.sent.emission = osg::Vec3f();
+        caster.sent.emission = osg::Vec3f();
     }
     _casters.push_back(caster);
 }

@@ -6,6 +6,7 @@
 #include <osg/Texture2D>
 
 #include <algorithm>
+#include <cmath>
 
 #include "glsl.h"
 #include "lib/tone.glsl"
@@ -17,8 +18,8 @@ osg::Vec3f SurfaceState::emission(bool displayColors) const
 {
     if (!emits()) {
         const osg::Material* m = osgMaterial();
-        if (!m) return osg::Vec3f();
         osg::Vec3f color;
+        if (!m || m->getEmission(osg::Material::FRONT) == osg::Vec4(0, 0, 0, 1)) return color;
         for (int i = 0; i < 3; ++i) {
             const float typed = std::max(m->getEmission(osg::Material::FRONT)[i], 0.0f);
             color[i] = displayColors ? float(glsl::srgbDecode3(glsl::vec3(double(typed))).x) : typed;
@@ -33,7 +34,9 @@ osg::Vec3f SurfaceState::emission(bool displayColors) const
 osg::Vec3f SurfaceState::lampEmission(const LampRule& rule) const
 {
     if (!rule.finds || unlit() || isAreaLight() || _light == Material::LIGHT_OFF) return osg::Vec3f();
-    const osg::Vec3f emitted = emission(rule.displayColors);
+    osg::Vec3f emitted = emission(rule.displayColors);
+    for (int i = 0; i < 3; ++i)
+        if (!std::isfinite(emitted[i]) || emitted[i] < 0.0f) emitted[i] = 0.0f;
     const float most = std::max({emitted[0], emitted[1], emitted[2]});
     const bool isUneven = texture() || mapped(MaterialMaps::ofEmission);
     if (_light == Material::LIGHT_AUTO && (isUneven || !(most > rule.least))) return osg::Vec3f();
