@@ -7,6 +7,7 @@
 #include <metrics/Metrics>
 #include <osg/Material>
 #include <osg/MatrixTransform>
+#include <osgEnvLight/AreaLight>
 #include <osgEnvLight/Material>
 
 #include <gtest/gtest.h>
@@ -256,6 +257,32 @@ TEST(Accumulation, WithoutItNothingIsKept)
     lit->getSettings()->accumulate = false;
     renderer.render(lit, 2);
     EXPECT_EQ(without, lit->textureBytes());
+}
+
+// Points of area lights, too, are others in each frame. tRMSE, measured: 1.14 % in the first, .40 % after 48. Half of the pixels
+// a side leave .78 %: the average keeps the blur of the filter, which is 2 pixels.
+TEST(Accumulation, ShadowsOfAreaLightsConverge)
+{
+    const osg::ref_ptr<LitScene> lit = stillScene(constantMap(0.02).get());
+    addPost(*lit);
+    lit->getSettings()->areaPoints = 16;
+    for (const double x : {-1.5, 1.5}) {
+        const osg::ref_ptr<osgEnvLight::AreaLight> light = new osgEnvLight::AreaLight;
+        light->setRectangle(osg::Vec3d(x, 0, 2), osg::Vec3d(0.5, 0, 0), osg::Vec3d(0, -0.5, 0));
+        light->setRadiance(osg::Vec3f(3, 3, 3));
+        light->setVisible(false);
+        lit->addChild(light);
+    }
+    SceneRenderer renderer(192, 144);
+    lookAtPost(renderer);
+    const double first = errorOf(renderer.render(lit, 1), *lit, renderer);
+    const Picture after = renderer.render(lit, 48);
+    EXPECT_GE(lit->average().frames, 40u);
+    const double last = errorOf(after, *lit, renderer);
+    EXPECT_LT(last, 0.45 * first);
+    lit->getSettings()->areaPoints = 32;  // whatever changes begins anew
+    renderer.render(lit, 2);
+    EXPECT_LT(lit->average().frames, 4u);
 }
 
 }  // namespace Accumulation_test

@@ -70,12 +70,14 @@ struct FrameContext {
     osg::Texture2D* emitterPoints = nullptr;  // EmitterMaps::pointImage()
     EmitterMaps* sceneLightMaps = nullptr;    // of the application's lights; null: nothing hides them
     osg::Texture2D* sceneLightPoints = nullptr;
-    SunShadows* sunMaps = nullptr;         // null: suns have none
-    unsigned drawnSunMaps = 0;             // in this frame
-    const Accumulation* still = nullptr;   // null where none was asked for
-    ShadowAtlas* stillMaps = nullptr;      // of the lights of a frame of its average
-    ShadowAtlas* stillNearMaps = nullptr;  // of the same lights, about the view
-    osg::Vec2d subpixel = {};              // shift of the picture in clip space over w
+    SunShadows* sunMaps = nullptr;            // null: suns have none
+    unsigned drawnSunMaps = 0;                // in this frame
+    const Accumulation* still = nullptr;      // null where none was asked for
+    ShadowAtlas* stillMaps = nullptr;         // of the lights of a frame of its average
+    ShadowAtlas* stillNearMaps = nullptr;     // of the same lights, about the view
+    EmitterMaps* stillEmitterMaps = nullptr;  // of points of the area lights of its own
+    osg::Texture2D* stillEmitterPoints = nullptr;
+    osg::Vec2d subpixel = {};  // shift of the picture in clip space over w
 
     int width() const { return int(viewport->width()); }
     int height() const { return int(viewport->height()); }
@@ -93,6 +95,9 @@ struct FrameContext {
     /** A still view's terms are drawn, and stay: this frame adds to the average, whose lights have maps of their own, or shows
      * it. */
     bool hasFirstFrame() const { return still && still->frames() > 0; }
+    /** Of the points by which the area lights are seen in this frame. */
+    EmitterMaps* shownEmitterMaps() const { return stillEmitterMaps ? stillEmitterMaps : emitterMaps; }
+    osg::Texture2D* shownEmitterPoints() const { return stillEmitterMaps ? stillEmitterPoints : emitterPoints; }
     /** Nothing has changed since a view that has all its frames was drawn. */
     bool isConverged() const { return hasFirstFrame() && !still->adds(); }
 

@@ -20,11 +20,6 @@ namespace
 // more.
 const size_t mostClosedForms = 8;
 
-unsigned pointsOf(const Settings& settings)
-{
-    return (unsigned(settings.areaPoints) + limits::LIGHT_GROUPS - 1) / limits::LIGHT_GROUPS * limits::LIGHT_GROUPS;
-}
-
 Requirement requireLights(const FrameContext& c)
 {
     Requirement lights;
@@ -121,38 +116,60 @@ osg::ref_ptr<osg::Texture2DArray> pictureTexture(const std::vector<Emitter>& lig
 Requirement AreaMapsPass::require(const FrameContext& c) const
 {
     const std::string side = std::to_string(c.settings.areaMapSize);
-    return requireMaps(c).because(counted(pointsOf(c.settings), "map") + " of " + side + " x " + side + " of " +
+    return requireMaps(c).because(counted(areaPointsOf(c.settings), "map") + " of " + side + " x " + side + " of " +
                                   counted(c.facts.casters, "drawable") + ", from points on " +
                                   counted(c.facts.areaLights, "area light"));
 }
 
 void AreaMapsPass::update(FrameContext& c)
 {
-    c.emitterMaps = &_maps.update(c, emitterPoints(c.areaLights, pointsOf(c.settings)), unsigned(c.settings.areaMapSize));
+    c.emitterMaps = &_maps.update(c, emitterPoints(c.areaLights, areaPointsOf(c.settings)), unsigned(c.settings.areaMapSize));
     c.emitterPoints = _maps.points();
 }
 
+// Whether this frame adds to a still view's average is known now. It then has points of its own: the average's error goes with
+// their number.
 void AreaMapsPass::setup(PassBuilder& b, FrameContext& c)
 {
-    _maps.draw(b, c, name());
+    _maps.draw(b, c, name(), name());
+    if (!c.still) _stillMaps.drop();
+    if (!c.isAccumulating()) return;
+    const std::vector<EmitterPoint> points = emitterPoints(c.areaLights, areaPointsOf(c.settings), c.still->frames());
+    c.stillEmitterMaps = &_stillMaps.update(c, points, unsigned(c.settings.areaMapSize), true);
+    c.stillEmitterPoints = _stillMaps.points();
+    _stillMaps.draw(b, c, name(), "still areamaps");
 }
 
 void AreaMapsPass::dismiss(FrameContext& c)
 {
+    _stillMaps.drop();
     if (!(c.showsNothing && c.facts.areaLights > 0 && Decisions::wantsEmitterMaps(c.settings))) _maps.drop();
+}
+
+void AreaMapsPass::resizeGLObjectBuffers(unsigned maximum)
+{
+    MapsPass::resizeGLObjectBuffers(maximum);
+    _stillMaps.resizeGLObjectBuffers(maximum);
+}
+
+void AreaMapsPass::releaseGLObjects(osg::State* state) const
+{
+    MapsPass::releaseGLObjects(state);
+    _stillMaps.releaseGLObjects(state);
 }
 
 Requirement AreaShadowPass::require(const FrameContext& c) const
 {
     return requireReceivers(c, requireMaps(c))
-        .because(std::to_string(pointsOf(c.settings) / limits::LIGHT_GROUPS) + " points a pixel, each asking its map");
+        .because(std::to_string(areaPointsOf(c.settings) / limits::LIGHT_GROUPS) + " points a pixel, each asking its map");
 }
 
 void AreaShadowPass::setup(PassBuilder& b, FrameContext& c)
 {
     b.readGBuffer();
-    readEmitterPoints(b, c);
-    b.shadowOrigin(c.emitterMaps->origin());
+    b.bind(c.shownEmitterMaps()->targets().texture.get(), "emitterMaps");
+    b.bind(c.shownEmitterPoints(), "emitterPointMap");
+    b.shadowOrigin(c.shownEmitterMaps()->origin());
     if (lightsLobes(c)) {
         b.define("HAS_LOBES");
         readLobes(b, c);
@@ -203,7 +220,7 @@ osg::Texture2D* AreaLightsPass::lightTexture(const std::vector<Emitter>& lights,
 
 void AreaLightsPass::setup(PassBuilder& b, FrameContext& c)
 {
-    const osg::Vec3d origin = c.emitterMaps ? c.emitterMaps->origin() : c.areaLights.front().center;
+    const osg::Vec3d origin = c.emitterMaps ? c.shownEmitterMaps()->origin() : c.areaLights.front().center;
     b.readGBuffer();
     readLobes(b, c);
     b.bind(lightTexture(c.areaLights, origin), "areaLightMap");
@@ -217,7 +234,7 @@ void AreaLightsPass::setup(PassBuilder& b, FrameContext& c)
     b.define("HAS_DIFFUSE", c.settings.diffuse);
     if (pointsStandForThem(c)) {
         b.define("HAS_AREA_POINTS");
-        b.bind(c.emitterPoints, "emitterPointMap");
+        b.bind(c.shownEmitterPoints(), "emitterPointMap");
     }
     // Where surfaces have no lobes, the points' shadows have the colours.
     if (hasPictures(c) && (lightsLobes(c) || !b.find("area visibility").valid())) {

@@ -9,17 +9,24 @@
 namespace osgEnvLight
 {
 
-/** The shadow maps of the area lights' points, drawn when lights or casters change, a few a frame. */
+/** The shadow maps of the area lights' points, drawn when lights or casters change, a few a frame; and those of a frame of a
+ * still view's average. */
 class OSGENVLIGHT_EXPORT AreaMapsPass : public MapsPass<EmitterMapsOwner>
 {
   public:
-    using MapsPass::MapsPass;
+    AreaMapsPass(Failure* failure, RetiredObjects* retired) : MapsPass(failure, retired), _stillMaps(failure, retired) {}
 
     const char* name() const override { return "areamaps"; }
     Requirement require(const FrameContext& context) const override;
     void update(FrameContext& context) override;
     void setup(PassBuilder& builder, FrameContext& context) override;
     void dismiss(FrameContext& context) override;
+    size_t bytes() const override { return MapsPass::bytes() + _stillMaps.bytes(); }
+    void resizeGLObjectBuffers(unsigned maximum) override;
+    void releaseGLObjects(osg::State* state) const override;
+
+  private:
+    EmitterMapsOwner _stillMaps;
 };
 
 /** Each pixel of a 4x4 cell asks another sixteenth of these maps. */

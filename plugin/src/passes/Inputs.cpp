@@ -77,6 +77,11 @@ void readSkyMaps(PassBuilder& b, FrameContext& c, const std::string& name, Shado
     b.shadowOrigin(maps.origin());
 }
 
+unsigned areaPointsOf(const Settings& settings)
+{
+    return (unsigned(settings.areaPoints) + limits::LIGHT_GROUPS - 1) / limits::LIGHT_GROUPS * limits::LIGHT_GROUPS;
+}
+
 void readEmitterPoints(PassBuilder& b, const FrameContext& c)
 {
     b.bind(c.emitterMaps->targets().texture.get(), "emitterMaps");

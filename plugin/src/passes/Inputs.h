@@ -52,6 +52,8 @@ bool readSunVisibility(PassBuilder& builder);
  * @param near  the maps of the same lights about the view, or null */
 void readSkyMaps(PassBuilder& builder, FrameContext& context, const std::string& name, ShadowAtlas& maps, ShadowAtlas* near);
 /** The area lights' points and their shadow maps. */
+/** How many points area lights have together. */
+unsigned areaPointsOf(const Settings& settings);
 void readEmitterPoints(PassBuilder& builder, const FrameContext& context);
 /** The application's lights' shadow maps, and where these stand. */
 void readSceneLightMaps(PassBuilder& builder, const FrameContext& context);

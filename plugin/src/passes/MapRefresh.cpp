@@ -97,7 +97,7 @@ void AtlasOwner::draw(PassBuilder& b, FrameContext& c, const char* pass, const s
     MapsOwner::draw(b, c, pass, name, "pass/midpoint.frag", [this] { return get()->drawn(); });
 }
 
-EmitterMaps& EmitterMapsOwner::update(FrameContext& c, const std::vector<EmitterPoint>& points, unsigned size)
+EmitterMaps& EmitterMapsOwner::update(FrameContext& c, const std::vector<EmitterPoint>& points, unsigned size, bool all)
 {
     if (!get() || get()->points != points.size() || get()->size != size) {
         replace(new EmitterMaps(unsigned(points.size()), size));
@@ -105,7 +105,7 @@ EmitterMaps& EmitterMapsOwner::update(FrameContext& c, const std::vector<Emitter
     }
     EmitterMaps& maps = *get();
     maps.setCasters(c.casters);
-    const bool all = drawsAllAtOnce(c.settings, maps.points, maps.version() != 0, maps.triangles());
+    all = all || drawsAllAtOnce(c.settings, maps.points, maps.version() != 0, maps.triangles());
     refreshes = maps.update(points, all ? maps.points : unsigned(c.settings.atlasUpdatesPerFrame));
     if (!_points || _pointVersion != maps.version()) _points = tableTexture(maps.pointImage());
     _pointVersion = maps.version();
@@ -119,9 +119,9 @@ void EmitterMapsOwner::drop()
     _points = nullptr;
 }
 
-void EmitterMapsOwner::draw(PassBuilder& b, FrameContext& c, const char* pass)
+void EmitterMapsOwner::draw(PassBuilder& b, FrameContext& c, const char* pass, const std::string& name)
 {
-    MapsOwner::draw(b, c, pass, pass, "pass/emittermap.frag", [this] { return get()->drawn(); });
+    MapsOwner::draw(b, c, pass, name, "pass/emittermap.frag", [this] { return get()->drawn(); });
 }
 
 }  // namespace osgEnvLight

@@ -130,13 +130,14 @@ class OSGENVLIGHT_EXPORT EmitterMapsOwner : public MapsOwner<EmitterMaps>
     using MapsOwner::MapsOwner;
 
     /** In update(): choose maps to be drawn in this frame. Made anew where the counts differ.
-     * @param size  of a map's side [texels] */
-    EmitterMaps& update(FrameContext& context, const std::vector<EmitterPoint>& points, unsigned size);
+     * @param size  of a map's side [texels]
+     * @param all   in this frame, however many there are */
+    EmitterMaps& update(FrameContext& context, const std::vector<EmitterPoint>& points, unsigned size, bool all = false);
     void drop();
     /** EmitterMaps::pointImage() of update(). */
     osg::Texture2D* points() const { return _points.get(); }
     /** In setup(): draw them. */
-    void draw(PassBuilder& builder, FrameContext& context, const char* pass);
+    void draw(PassBuilder& builder, FrameContext& context, const char* pass, const std::string& name);
 
   private:
     osg::ref_ptr<osg::Texture2D> _points;  // at which version

@@ -46,7 +46,7 @@ void SceneLightMapsPass::update(FrameContext& c)
 void SceneLightMapsPass::setup(PassBuilder& b, FrameContext& c)
 {
     c.remark(", " + std::to_string(_points.size()) + " in all");
-    _maps.draw(b, c, name());
+    _maps.draw(b, c, name(), name());
 }
 
 void SceneLightMapsPass::dismiss(FrameContext& c)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "shadow/EmitterPoints.h"
 
+#include "base/R2Points.h"
+
 #include <osg/BoundingBox>
 #include <osg/Math>
 
@@ -130,12 +132,23 @@ void deal(std::vector<Side>& sides, unsigned count)
     for (unsigned k = 0; dealt < count; ++k, ++dealt) ++sides[remainders[k % remainders.size()].second].points;
 }
 
-std::vector<EmitterPoint> pointsOf(const std::vector<Side>& sides)
+// Of a set of points: the first lies where it is, the others between its points.
+osg::Vec2d shiftOf(unsigned round)
+{
+    return round == 0 ? osg::Vec2d() : r2Point(round);
+}
+
+double wrapped(double x)
+{
+    return x - std::floor(x);
+}
+
+std::vector<EmitterPoint> pointsOf(const std::vector<Side>& sides, const osg::Vec2d& shift)
 {
     std::vector<EmitterPoint> points;
     for (const Side& side : sides) {
         for (unsigned k = 0; k < side.points; ++k) {
-            const double a = (k + 0.5) / side.points, b = std::fmod(k * golden + 0.5, 1.0);
+            const double a = wrapped((k + 0.5 + shift[0]) / side.points), b = wrapped(k * golden + 0.5 + shift[1]);
             EmitterPoint point = pointAt(side, a, b);
             point.area = side.light->area / side.points;
             point.isRound = side.light->shape == AreaLight::SPHERE && side.points >= leastRound;
@@ -170,7 +183,7 @@ void sortByPlace(std::vector<Side>& sides)
     });
 }
 
-std::vector<EmitterPoint> pointsOfMany(std::vector<Side> sides, unsigned count)
+std::vector<EmitterPoint> pointsOfMany(std::vector<Side> sides, unsigned count, const osg::Vec2d& shift)
 {
     sortByPlace(sides);
     const double total = std::accumulate(sides.begin(), sides.end(), 0.0, [](double sum, const Side& s) { return sum + s.flux; });
@@ -179,9 +192,10 @@ std::vector<EmitterPoint> pointsOfMany(std::vector<Side> sides, unsigned count)
     for (const Side& side : sides) {
         before += side.flux;
         // The next of `count` even steps through all flux that end within this side's.
-        while (points.size() < count && (double(points.size()) + 0.5) / count * total < before) {
+        while (points.size() < count && (double(points.size()) + wrapped(0.5 + shift[0])) / count * total < before) {
             const auto k = double(points.size());
-            EmitterPoint point = pointAt(side, std::fmod(k * golden + 0.5, 1.0), std::fmod(k * golden * golden + 0.25, 1.0));
+            EmitterPoint point =
+                pointAt(side, wrapped(k * golden + 0.5 + shift[0]), wrapped(k * golden * golden + 0.25 + shift[1]));
             point.area = side.light->area * total / (count * side.flux);  // also for neighbours that have none
             point.power = point.even = side.light->radiance * point.area;
             points.push_back(point);
@@ -192,15 +206,16 @@ std::vector<EmitterPoint> pointsOfMany(std::vector<Side> sides, unsigned count)
 
 }  // namespace
 
-std::vector<EmitterPoint> emitterPoints(const std::vector<Emitter>& lights, unsigned count)
+std::vector<EmitterPoint> emitterPoints(const std::vector<Emitter>& lights, unsigned count, unsigned round)
 {
+    const osg::Vec2d shift = shiftOf(round);
     std::vector<Side> sides = litSides(lights);
     std::vector<EmitterPoint> points;
     if (sides.size() > count) {
-        points = pointsOfMany(sides, count);
+        points = pointsOfMany(sides, count, shift);
     } else if (!sides.empty()) {
         deal(sides, count);
-        points = pointsOf(sides);
+        points = pointsOf(sides, shift);
     }
     const EmitterPoint dark{osg::Vec3d(), osg::Vec3d(0, 0, 1), osg::Vec3d(), osg::Vec3d(), 1.0};
     points.resize(count, dark);

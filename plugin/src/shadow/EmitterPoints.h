@@ -31,7 +31,9 @@ struct EmitterPoint {
 /** Points of all lights together, dealt by flux, at least one to each lit side: a golden lattice on each light [area-lights.md 3,
  * "Pattern"]. Where there are more sides than points, a point stands for neighbours, which it finds in Morton order,
  * systematically by their flux [area-lights.md 3, "Many lights"]. The points of a light are side by side.
- * @param count  of the points; dark ones fill up where no light is lit */
-OSGENVLIGHT_EXPORT std::vector<EmitterPoint> emitterPoints(const std::vector<Emitter>& lights, unsigned count);
+ * @param count  of the points; dark ones fill up where no light is lit
+ * @param round  of sets of points, each elsewhere: together they cover the lights evenly */
+OSGENVLIGHT_EXPORT std::vector<EmitterPoint> emitterPoints(const std::vector<Emitter>& lights, unsigned count,
+                                                           unsigned round = 0);
 
 }  // namespace osgEnvLight
