@@ -86,6 +86,29 @@ TEST_F(MeshLights, MovesWithItsParents)
     EXPECT_EQ(osg::Vec3d(), middle(1));
 }
 
+// What turns is not measured anew, and is where a lamp that was made there is.
+TEST_F(MeshLights, TurnsWithItsParents)
+{
+    const osg::ref_ptr<osg::MatrixTransform> place = new osg::MatrixTransform;
+    place->addChild(makePanel(0.0));
+    place->addChild(makeSphere(osg::Vec3d(1.2, 0, 0), 0.2, 16));
+    Material::setEmission(*place->getChild(1)->getOrCreateStateSet(), warm);
+    Material::setLambert(*place->getChild(1)->getStateSet(), osg::Vec3f());
+    lit->addChild(place);
+    for (int frame = 0; frame < 7; ++frame) {
+        place->setMatrix(osg::Matrixd::rotate(0.13 * frame, 0.3, 0.2, 1) * osg::Matrixd::translate(0.1 * frame, 0, height));
+        renderer.render(lit, 1);
+    }
+    const Picture turned = renderer.render(lit, 2);
+    const osg::ref_ptr<osg::MatrixTransform> fresh = new osg::MatrixTransform(place->getMatrix());
+    fresh->addChild(makePanel(0.0));
+    fresh->addChild(makeSphere(osg::Vec3d(1.2, 0, 0), 0.2, 16));
+    fresh->getChild(1)->setStateSet(place->getChild(1)->getStateSet());
+    lit->replaceChild(place, fresh);
+    EXPECT_LT(rootMeanSquare(turned, renderer.render(lit, 2)), 0.01);  // its points lie elsewhere on it
+    EXPECT_GT(at(turned, osg::Vec3d())[0], 0.1);
+}
+
 TEST_F(MeshLights, OneOutOfViewLightsToo)
 {
     renderer.lookAt(osg::Vec3d(0, -2, 1), osg::Vec3d(), osg::Vec3d(0, 0, 1), 10.0);

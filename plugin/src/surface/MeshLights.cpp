@@ -5,6 +5,7 @@
 #include "surface/MeshShapes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace osgEnvLight
@@ -33,7 +34,34 @@ std::vector<Emitter> measure(const Caster& caster)
     return shapes;
 }
 
+// From one place to another, if that neither scales nor mirrors.
+bool isRigid(const osg::Matrixd& m)
+{
+    const auto row = [&m](int i) { return osg::Vec3d(m(i, 0), m(i, 1), m(i, 2)); };
+    const double slack = 1e-6;
+    for (int i = 0; i < 3; ++i)
+        for (int k = i; k < 3; ++k)
+            if (!(std::abs(row(i) * row(k) - (i == k ? 1.0 : 0.0)) < slack)) return false;
+    return !mirrors(m);
+}
+
+// The same shapes, measured where the caster was first.
+bool follows(const Caster& caster, const Caster& first)
+{
+    return caster.shape == first.shape && caster.bothSides == first.bothSides &&
+           isRigid(osg::Matrixd::inverse(first.worldFromModel) * caster.worldFromModel);
+}
+
 }  // namespace
+
+void MeshLights::place(Lamp& lamp, const Caster& caster)
+{
+    const osg::Matrixd motion = osg::Matrixd::inverse(lamp.first.worldFromModel) * caster.worldFromModel;
+    lamp.now = caster;
+    lamp.placed = lamp.shapes;
+    if (caster.worldFromModel != lamp.first.worldFromModel)
+        for (Emitter& shape : lamp.placed) shape = shape.moved(motion);
+}
 
 std::vector<Emitter> MeshLights::of(const std::vector<Caster>& casters, double scale, double slack)
 {
@@ -43,12 +71,15 @@ std::vector<Emitter> MeshLights::of(const std::vector<Caster>& casters, double s
     for (const Caster& caster : casters) {
         if (caster.lamp == osg::Vec3f()) continue;
         const auto [first, last] = former.equal_range(caster.geometry.get());
-        const auto known = std::find_if(first, last, [&](const auto& entry) {
-            return entry.second.caster.bothSides == caster.bothSides && sameShadow(entry.second.caster, caster, slack);
+        auto known = std::find_if(first, last, [&](const auto& entry) {
+            return entry.second.now.bothSides == caster.bothSides && sameShadow(entry.second.now, caster, slack);
         });
-        const auto lamp = known == last ? _lamps.emplace(caster.geometry.get(), Lamp{caster, measure(caster)})
+        const bool stands = known != last;
+        if (!stands) known = std::find_if(first, last, [&](const auto& entry) { return follows(caster, entry.second.first); });
+        const auto lamp = known == last ? _lamps.emplace(caster.geometry.get(), Lamp{caster, measure(caster), caster, {}})
                                         : _lamps.insert(former.extract(known));
-        for (const Emitter& shape : lamp->second.shapes) {
+        if (!stands) place(lamp->second, caster);
+        for (const Emitter& shape : lamp->second.placed) {
             lights.push_back(shape);
             lights.back().radiance = osg::componentMultiply(shape.radiance, osg::Vec3d(caster.lamp) * scale);
         }

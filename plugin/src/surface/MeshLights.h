@@ -10,7 +10,8 @@
 namespace osgEnvLight
 {
 
-/** Casters that are lamps, as area lights [shapesOf]. What stays where it was is not measured again. */
+/** Casters that are lamps, as area lights [shapesOf]. What has only moved and turned is not measured
+ * again. */
 class OSGENVLIGHT_EXPORT MeshLights
 {
   public:
@@ -25,9 +26,13 @@ class OSGENVLIGHT_EXPORT MeshLights
 
   private:
     struct Lamp {
-        Caster caster;
+        Caster first;                 // where it was measured
         std::vector<Emitter> shapes;  // with radiance 1
+        Caster now;
+        std::vector<Emitter> placed;  // the shapes where it is
     };
+    static void place(Lamp& lamp, const Caster& caster);
+
     std::multimap<const osg::Geometry*, Lamp> _lamps;
 };
 
