@@ -78,6 +78,7 @@ std::vector<Emitter> MeshLights::of(const std::vector<Caster>& casters, double s
         if (!stands) known = std::find_if(first, last, [&](const auto& entry) { return follows(caster, entry.second.first); });
         const auto lamp = known == last ? _lamps.emplace(caster.geometry.get(), Lamp{caster, measure(caster), caster, {}})
                                         : _lamps.insert(former.extract(known));
+        lamp->second.first.state = nullptr;  // nothing is drawn of it: the user's textures are not kept
         if (!stands) place(lamp->second, caster);
         for (const Emitter& shape : lamp->second.placed) {
             lights.push_back(shape);
