@@ -167,8 +167,7 @@ Requirement AreaShadowPass::require(const FrameContext& c) const
 void AreaShadowPass::setup(PassBuilder& b, FrameContext& c)
 {
     b.readGBuffer();
-    b.bind(c.shownEmitterMaps()->targets().texture.get(), "emitterMaps");
-    b.bind(c.shownEmitterPoints(), "emitterPointMap");
+    readEmitterPoints(b, *c.shownEmitterMaps(), c.shownEmitterPoints());
     b.shadowOrigin(c.shownEmitterMaps()->origin());
     if (lightsLobes(c)) {
         b.define("HAS_LOBES");

@@ -218,7 +218,7 @@ void PointsPass::setup(PassBuilder& b, FrameContext& c)
     }
     if (c.emitterMaps) {
         b.define("HAS_AREA_LIGHTS");
-        readEmitterPoints(b, c);
+        readEmitterPoints(b, *c.emitterMaps, c.emitterPoints);
         places.inEmitterMaps = light.scene->origin - c.emitterMaps->origin();
     }
     if (c.sceneLightMaps) {

@@ -82,10 +82,10 @@ unsigned areaPointsOf(const Settings& settings)
     return (unsigned(settings.areaPoints) + limits::LIGHT_GROUPS - 1) / limits::LIGHT_GROUPS * limits::LIGHT_GROUPS;
 }
 
-void readEmitterPoints(PassBuilder& b, const FrameContext& c)
+void readEmitterPoints(PassBuilder& b, const EmitterMaps& maps, osg::Texture2D* points)
 {
-    b.bind(c.emitterMaps->targets().texture.get(), "emitterMaps");
-    b.bind(c.emitterPoints, "emitterPointMap");
+    b.bind(maps.targets().texture.get(), "emitterMaps");
+    b.bind(points, "emitterPointMap");
 }
 
 void readSceneLightMaps(PassBuilder& b, const FrameContext& c)

@@ -51,10 +51,10 @@ bool readSunVisibility(PassBuilder& builder);
  * @param name  of the atlas
  * @param near  the maps of the same lights about the view, or null */
 void readSkyMaps(PassBuilder& builder, FrameContext& context, const std::string& name, ShadowAtlas& maps, ShadowAtlas* near);
-/** The area lights' points and their shadow maps. */
 /** How many points area lights have together. */
 unsigned areaPointsOf(const Settings& settings);
-void readEmitterPoints(PassBuilder& builder, const FrameContext& context);
+/** The area lights' points and their shadow maps. */
+void readEmitterPoints(PassBuilder& builder, const EmitterMaps& maps, osg::Texture2D* points);
 /** The application's lights' shadow maps, and where these stand. */
 void readSceneLightMaps(PassBuilder& builder, const FrameContext& context);
 /** The shadow maps of the suns. */

@@ -158,7 +158,7 @@ void ForwardPass::setup(PassBuilder& b, FrameContext& c)
     }
     if (c.emitterMaps) {
         b.define("HAS_AREA_LIGHTS");
-        readEmitterPoints(b, c);
+        readEmitterPoints(b, *c.emitterMaps, c.emitterPoints);
         addPlace("emittersFromEye", c.emitterMaps->origin());
     }
     if (!c.lights.empty()) {

@@ -3,6 +3,7 @@
 
 #include <osgEnvLight/Material>
 #include "surface/AreaLightPlace.h"
+#include "surface/Axes.h"
 #include "surface/EmitterMesh.h"
 #include "surface/EmitterPicture.h"
 #include "surface/MaterialMaps.h"
@@ -30,20 +31,6 @@ osg::ref_ptr<osg::StateSet> blackState(bool bothSides)
     stateSet->setAttribute(new osg::CullFace(osg::CullFace::BACK));
     stateSet->setMode(GL_CULL_FACE, bothSides ? osg::StateAttribute::OFF : osg::StateAttribute::ON);
     return stateSet;
-}
-
-bool mirrors(const osg::Matrixd& m)
-{
-    const auto row = [&m](int i) { return osg::Vec3d(m(i, 0), m(i, 1), m(i, 2)); };
-    return (row(0) ^ row(1)) * row(2) < 0.0;
-}
-
-// A vector at right angles to the unit vector n, and of its length.
-osg::Vec3d besides(const osg::Vec3d& n)
-{
-    osg::Vec3d u = std::abs(n.x()) < 0.6 ? osg::Vec3d(1, 0, 0) ^ n : osg::Vec3d(0, 1, 0) ^ n;
-    u.normalize();
-    return u;
 }
 
 // A copy whose colours are encoded: maps of emission are.

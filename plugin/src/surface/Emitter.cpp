@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "surface/Emitter.h"
 
+#include "surface/Axes.h"
 #include "surface/Outline.h"
 
 #include <algorithm>
@@ -18,12 +19,6 @@ const char* const notFinite = "has a number that is not finite";
 bool isFinite(const osg::Vec3d& v)
 {
     return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
-}
-
-double determinant(const osg::Matrixd& m)
-{
-    const auto row = [&m](int i) { return osg::Vec3d(m(i, 0), m(i, 1), m(i, 2)); };
-    return (row(0) ^ row(1)) * row(2);
 }
 
 // Sets the normal and, where the matrix mirrors, turns v over.
@@ -114,7 +109,7 @@ std::string placePolygon(const osg::Vec3Array* array, const osg::Matrixd& matrix
 
 std::string placeShape(const AreaLight& light, const osg::Matrixd& matrix, Emitter& e)
 {
-    const double volumeScale = determinant(matrix);
+    const double volumeScale = volumeScaleOf(matrix);
     if (light.getShape() == AreaLight::POLYGON) return placePolygon(light.getVertices(), matrix, volumeScale < 0.0, e);
     e.center = light.getCenter() * matrix;
     e.u = osg::Matrixd::transform3x3(light.getU(), matrix);

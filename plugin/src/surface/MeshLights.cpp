@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "surface/MeshLights.h"
 
+#include "surface/Axes.h"
 #include "surface/CasterMesh.h"
 #include "surface/MeshShapes.h"
 
@@ -13,12 +14,6 @@ namespace osgEnvLight
 
 namespace
 {
-
-bool mirrors(const osg::Matrixd& m)
-{
-    const auto row = [&m](int i) { return osg::Vec3d(m(i, 0), m(i, 1), m(i, 2)); };
-    return (row(0) ^ row(1)) * row(2) < 0.0;
-}
 
 // About the middle of its bound, or large coordinates would cost digits.
 std::vector<Emitter> measure(const Caster& caster)
@@ -37,11 +32,10 @@ std::vector<Emitter> measure(const Caster& caster)
 // From one place to another, if that neither scales nor mirrors.
 bool isRigid(const osg::Matrixd& m)
 {
-    const auto row = [&m](int i) { return osg::Vec3d(m(i, 0), m(i, 1), m(i, 2)); };
     const double slack = 1e-6;
     for (int i = 0; i < 3; ++i)
         for (int k = i; k < 3; ++k)
-            if (!(std::abs(row(i) * row(k) - (i == k ? 1.0 : 0.0)) < slack)) return false;
+            if (!(std::abs(axisOf(m, i) * axisOf(m, k) - (i == k ? 1.0 : 0.0)) < slack)) return false;
     return !mirrors(m);
 }
 

@@ -32,8 +32,9 @@ struct MeshBodies {
 /** Those of the mesh. Closed ones face outwards: one that is inside out is turned over. */
 MeshBodies bodiesOf(const CasterMesh& mesh);
 
-/** A body's triangles by the flat parts that they make up: neighbours whose normals differ by a degree at most. The largest come
- * first. */
+/** The flat parts of a body: neighbouring triangles whose normals differ by a degree at most. Parts with large triangles come
+ * first.
+ */
 std::vector<std::vector<MeshTriangle>> flatPartsOf(const MeshBodies::Body& body, const std::vector<osg::Vec3d>& places);
 
 /** Places around a flat part, as its triangles turn, without those on a straight line between others; empty if it has holes or

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "surface/MeshShapes.h"
 
+#include "surface/Axes.h"
 #include "surface/MeshParts.h"
 #include "surface/Outline.h"
 
@@ -62,9 +63,7 @@ Emitter disc(const osg::Vec3d& center, const osg::Vec3d& normal, double area)
     Emitter e = emitter(AreaLight::DISC, center);
     e.normal = normal;
     e.area = area;
-    e.u = std::abs(normal.x()) < 0.6 ? osg::Vec3d(1, 0, 0) ^ normal : osg::Vec3d(0, 1, 0) ^ normal;
-    e.u.normalize();
-    e.u *= std::sqrt(area / osg::PI);
+    e.u = besides(normal) * std::sqrt(area / osg::PI);
     e.v = normal ^ e.u;
     return e;
 }
@@ -192,8 +191,8 @@ double spreadAlong(const Triangles& triangles, const Places& places, const osg::
 bool isBent(const Triangles& triangles, const Places& places)
 {
     const osg::Vec3d along = mainAxis(triangles, placeOf);
-    const auto besides = [&](const MeshTriangle& t) { return t.center - along * (t.center * along); };
-    const osg::Vec3d across = mainAxis(triangles, besides);
+    const auto offAxis = [&](const MeshTriangle& t) { return t.center - along * (t.center * along); };
+    const osg::Vec3d across = mainAxis(triangles, offAxis);
     const double length = std::sqrt(12.0 * spreadAlong(triangles, places, along)), width = areaOf(triangles) / length;
     return spreadAlong(triangles, places, across) > mostBend * width * width / 12.0;
 }
@@ -250,8 +249,7 @@ Emitter plateOf(const Triangles& triangles, const Places& places, const osg::Vec
     e.normal = normal;
     e.area = area;
     osg::Vec3d along = mainAxis(triangles, [&](const MeshTriangle& t) { return t.center - normal * (t.center * normal); });
-    if (along.length2() < 0.5) along = std::abs(normal.x()) < 0.6 ? osg::Vec3d(1, 0, 0) ^ normal : osg::Vec3d(0, 1, 0) ^ normal;
-    along.normalize();
+    if (along.length2() < 0.5) along = besides(normal);
     const osg::Vec3d across = normal ^ along;
     const double length = std::sqrt(spreadAlong(triangles, places, along)),
                  width = std::sqrt(spreadAlong(triangles, places, across));

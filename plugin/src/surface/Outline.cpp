@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "surface/Outline.h"
 
+#include "surface/Axes.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -44,8 +46,7 @@ Outline::Outline(std::vector<osg::Vec3d> vertices) : _vertices(std::move(vertice
     for (size_t i = 0; i < _vertices.size(); ++i)
         normal += (_vertices[i] - center) ^ (_vertices[(i + 1) % _vertices.size()] - center);
     _area = 0.5 * normal.normalize();
-    osg::Vec3d x = std::abs(normal.x()) < 0.6 ? osg::Vec3d(1, 0, 0) ^ normal : osg::Vec3d(0, 1, 0) ^ normal;
-    x.normalize();
+    const osg::Vec3d x = besides(normal);
     const osg::Vec3d y = normal ^ x;
     for (const osg::Vec3d& p : _vertices) {
         _flat.emplace_back((p - center) * x, (p - center) * y);
