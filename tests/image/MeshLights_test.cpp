@@ -15,8 +15,8 @@ namespace MeshLightTruth_test
 
 using namespace osgEnvLight;
 
-// A room that a ceiling lights, beside full light transport: nothing is counted twice. tRMSE, measured: .036 with the mean bounce, .034
-// with probes; .30 without the light, which nothing sends on then.
+// A glowing ceiling lights a room. Beside full light transport nothing is counted twice. tRMSE, measured: .036 with the mean
+// bounce, .034 with probes, and .30 if the ceiling is no light.
 TEST(MeshLights, LightARoomOnce)
 {
     const osg::ref_ptr<LitScene> room = makeLit(constantMap(0.0).get());

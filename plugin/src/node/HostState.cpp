@@ -113,8 +113,8 @@ bool asksForCasters(const FrameContext& c, bool sunny)
     return (sunny || (hasLamps && Decisions::wantsEmitterMaps(c.settings))) && showsSomething(c);
 }
 
-// Lamps that the view does not show light it, too. Where nothing else asks for the casters, those are known of the frame before;
-// a dark scene is searched.
+// Lamps outside of the view light it, too. They are among the casters. If no pass asks for the casters, the search is worth it
+// when the view shows a lamp, when the frame before had one, or when the map is black.
 bool mayHaveLamps(const FrameContext& c, const ViewData& data)
 {
     return c.lampRule().finds && showsSomething(c) &&
