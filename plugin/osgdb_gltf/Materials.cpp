@@ -62,7 +62,7 @@ int arrayOf(unsigned texCoord, unsigned baseTexCoord)
 osg::Vec4 displayColor(const osg::Vec4d& linear)
 {
     osg::Vec4 color;
-    for (int i = 0; i < 3; ++i) color.ptr()[i] = float(glsl::srgbEncode(std::max(linear.ptr()[i], 0.0)));
+    for (int i = 0; i < 3; ++i) color.ptr()[i] = float(glsl::typedEncode(linear.ptr()[i]));
     color[3] = float(linear[3]);
     return color;
 }

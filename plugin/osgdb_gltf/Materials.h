@@ -65,7 +65,7 @@ class Materials
     std::map<std::tuple<int, bool, bool>, osg::ref_ptr<osg::StateSet>> _stateSets;
 };
 
-/** Linear colours as display values, as OpenSceneGraph shows them; above 1 the curve goes on. */
+/** Linear colours as display values, as OpenSceneGraph shows them; above 1 they stay linear, as the nodekit takes them. */
 osg::Vec4 displayColor(const osg::Vec4d& linear);
 
 }  // namespace osgEnvLight::gltf

@@ -97,7 +97,7 @@ void SceneState::setHostMaterial(SurfaceMaterial& m, bool linearColors) const
     const osg::Material* material = osgMaterial();
     if (!material) return;
     const osg::Vec4 diffuse = material->getDiffuse(osg::Material::FRONT);
-    const auto decoded = [&](const glm::dvec3& c) { return linearColors ? c : glm::dvec3(glsl::srgbDecode3(c)); };
+    const auto decoded = [&](const glm::dvec3& c) { return linearColors ? c : glm::dvec3(glsl::typedDecode3(c)); };
     m.color = glm::dvec4(rgb(diffuse), diffuse.a());
     m.emission = decoded(rgb(material->getEmission(osg::Material::FRONT)));
     if (!phongMaterial()) return;

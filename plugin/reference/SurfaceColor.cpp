@@ -28,7 +28,7 @@ glm::dvec4 surfaceColor(const SurfaceHit& hit, const glm::dvec2& dx, const glm::
     const TriangleMesh& mesh = *hit.mesh;
     const SurfaceMaterial& m = mesh.material;
     glm::dvec4 base = m.vertexColored ? hit.interpolate(mesh.colors) : m.color;
-    if (m.encoded) base = glm::dvec4(glsl::srgbDecode3(glsl::vec3(base)), base.a);
+    if (m.encoded) base = glm::dvec4(glsl::typedDecode3(glsl::vec3(base)), base.a);
     if (!m.texture) return base;
     const glm::dvec4 texel = m.texture->sample(hit.interpolate(mesh.texCoords), dx, dy);
     if (m.textureMode == SurfaceState::TEXTURE_REPLACES) return texel;

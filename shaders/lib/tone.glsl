@@ -55,4 +55,20 @@ vec3 srgbDecode3(vec3 c)
     return vec3(srgbDecode(c.x), srgbDecode(c.y), srgbDecode(c.z));
 }
 
+// Colours that people type as display values: above 1, where no display has a curve, a number is light itself.
+float typedEncode(float x)
+{
+    return x > 1.0 ? x : srgbEncode(max(x, 0.0));
+}
+
+float typedDecode(float x)
+{
+    return x > 1.0 ? x : srgbDecode(max(x, 0.0));
+}
+
+vec3 typedDecode3(vec3 c)
+{
+    return vec3(typedDecode(c.x), typedDecode(c.y), typedDecode(c.z));
+}
+
 #endif

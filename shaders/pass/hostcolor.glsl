@@ -5,13 +5,12 @@
 
 #include "lib/tone.glsl"
 
-uniform int materialColors;  // 0: display values, sRGB encoded
+uniform int materialColors;  // 0: display values, sRGB encoded up to 1
 uniform float emittedStops;  // against the map's exposure: what emits is shown as it was typed
 
-// The curve goes on above 1.
 vec3 hostColor(vec3 c)
 {
-    return materialColors == 0 ? srgbDecode3(max(c, vec3(0.0))) : c;
+    return materialColors == 0 ? typedDecode3(c) : c;
 }
 
 // Radiance that such a colour stands for.

@@ -69,18 +69,20 @@ TEST(GltfMaterials, FactorsAreOursAndOpenSceneGraphs)
     osg::StateSet* s = stateSetOf(
         {{"name", "gold"},
          {"pbrMetallicRoughness", {{"baseColorFactor", {1, .5, .25, .5}}, {"metallicFactor", .75}, {"roughnessFactor", .125}}},
-         {"emissiveFactor", {0, .5, 0}}});
+         {"emissiveFactor", {.125, .5, 1}},
+         {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 4}}}}}});
     ASSERT_TRUE(s);
     EXPECT_EQ(osgEnvLight::Material::brdfOf(*s, -1), osgEnvLight::Material::COOK_TORRANCE);
     EXPECT_EQ(uniformOf<osg::Vec3f>(s, "envlightBaseColor"), osg::Vec3f(1, .5f, .25f));
     EXPECT_EQ(uniformOf<float>(s, "envlightMetalness"), .75f);
     EXPECT_EQ(uniformOf<float>(s, "envlightRoughness"), .125f);
-    EXPECT_EQ(uniformOf<osg::Vec3f>(s, "envlightEmission"), osg::Vec3f(0, .5f, 0));
+    EXPECT_EQ(uniformOf<osg::Vec3f>(s, "envlightEmission"), osg::Vec3f(.5f, 2, 4));
     const osg::Material* m = osgMaterialOf(s);
     EXPECT_EQ(m->getName(), "gold");
     EXPECT_NEAR(m->getDiffuse(osg::Material::FRONT).g(), .7354, 1e-4);
     EXPECT_EQ(m->getDiffuse(osg::Material::FRONT).a(), 1.0f);  // OPAQUE
-    EXPECT_NEAR(m->getEmission(osg::Material::FRONT).g(), .7354, 1e-4);
+    EXPECT_NEAR(m->getEmission(osg::Material::FRONT).r(), .7354, 1e-4);
+    EXPECT_EQ(m->getEmission(osg::Material::FRONT).g(), 2.0f);  // above 1 as it is
     EXPECT_EQ(s->getMode(GL_CULL_FACE), osg::StateAttribute::ON);
 }
 

@@ -224,6 +224,9 @@ TEST(parity, tone)
     expectParity(
         {"lib/tone.glsl"}, "result = vec4(srgbDecode3(a.xyz), srgbDecode(a.x));", colourRows(),
         [](auto& in) { return vec4(glsl::srgbDecode3(vec3(in[0])), glsl::srgbDecode(in[0].x)); }, within(1e-5));
+    expectParity(
+        {"lib/tone.glsl"}, "result = vec4(typedDecode3(a.xyz), typedEncode(a.x));", colourRows(),
+        [](auto& in) { return vec4(glsl::typedDecode3(vec3(in[0])), glsl::typedEncode(in[0].x)); }, within(1e-5));
 }
 
 TEST(parity, sequence)

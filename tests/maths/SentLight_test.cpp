@@ -82,6 +82,16 @@ TEST(SentLight, OfOurMaterialsIsThatOfBothLayers)
     expectColor(osg::Vec3f(2, 3, 4), sentBy(*s).emission);
 }
 
+// Ke 9 of an OBJ's lamp is nine times white, not what the display's curve would make of it.
+TEST(SentLight, OfAHostsEmissionAboveOneIsLinear)
+{
+    const osg::ref_ptr<osg::StateSet> s = new osg::StateSet;
+    const osg::ref_ptr<osg::Material> material = makeMaterial(osg::Vec3f(0, 0, 0));
+    material->setEmission(osg::Material::FRONT_AND_BACK, osg::Vec4(9, 0.5f, 1, 1));
+    s->setAttribute(material);
+    expectColor(osg::Vec3f(9, half, 1), sentBy(*s).emission);
+}
+
 TEST(SentLight, OfTexturesIsTheirMean)
 {
     osg::ref_ptr<osg::StateSet> s = new osg::StateSet;

@@ -32,7 +32,7 @@ osg::Vec3f perChannel(const osg::Vec3f& c, F f)
 osg::Vec3f decoded(const osg::Vec3f& c, bool display)
 {
     if (!display) return c;
-    return perChannel(c, [](double x) { return glsl::srgbDecode3(glsl::vec3(std::max(x, 0.0))).x; });
+    return perChannel(c, [](double x) { return glsl::typedDecode(x); });
 }
 
 osg::Vec3f mixed(const osg::Vec3f& a, const osg::Vec3f& b, float share)

@@ -22,7 +22,7 @@ osg::Vec3f SurfaceState::emission(bool displayColors) const
         if (!m || m->getEmission(osg::Material::FRONT) == osg::Vec4(0, 0, 0, 1)) return color;
         for (int i = 0; i < 3; ++i) {
             const float typed = std::max(m->getEmission(osg::Material::FRONT)[i], 0.0f);
-            color[i] = displayColors ? float(glsl::srgbDecode3(glsl::vec3(double(typed))).x) : typed;
+            color[i] = displayColors ? float(glsl::typedDecode(double(typed))) : typed;
         }
         return color;
     }
