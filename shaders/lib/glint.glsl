@@ -9,6 +9,10 @@
 #include "lib/errorfunction.glsl"
 #include "lib/sun.glsl"
 
+// Nodes across a disc; fewer where it is small beside the lobe, which varies little over it.
+const int DISC_NODES = 8;
+const int SMALL_DISC_NODES = 3;
+
 // Node i of 8 of Gauss and Legendre on [-1, 1], and its weight.
 vec2 discNode(int i)
 {
@@ -18,6 +22,12 @@ vec2 discNode(int i)
            : k == 2 ? vec2(0.7966664774136267, 0.2223810344533745)
                     : vec2(0.9602898564975363, 0.1012285362903763);
     return i < 4 ? vec2(-n.x, n.y) : n;
+}
+
+// Node i of 3 of Gauss and Chebyshev (second kind), and its weight over sqrt(1 - x^2), to which a disc's chords are in proportion.
+vec2 smallDiscNode(int i)
+{
+    return i == 1 ? vec2(0.0, 0.25 * PI) : vec2(0.7071067811865476 * float(i - 1), 0.5553603672697958);
 }
 
 // Two tangents of the unit vector s.
@@ -83,15 +93,17 @@ float lobeAlong(float middle, float width)
     return width * (1.0 - y0 * y1) / ((1.0 + y0 * y0) * (1.0 + y1 * y1)) + atan(width, 1.0 + y0 * y1);
 }
 
-// Share of GGX's normals, by their density in the plane of slopes, that lies in the ellipse: closed along it, 8 nodes across it.
+// Share of GGX's normals, by their density in the plane of slopes, that lies in the ellipse: closed along it, nodes across it.
 float ggxShareOfDisc(SlopeDisc d)
 {
     float t0 = atan(d.middle.x - d.halfWidth);
     float t1 = atan(d.middle.x + d.halfWidth);
     bool narrow = t1 - t0 < 0.1; // nodes even in u, else in t, where the lobe is narrower than the disc
+    bool small = narrow && d.halfLength * d.halfLength < 0.04 * (1.0 + dot(d.middle, d.middle));
+    int count = small ? SMALL_DISC_NODES : DISC_NODES;
     float sum = 0.0;
-    for (int i = 0; i < 8; ++i) {
-        vec2 node = discNode(i);
+    for (int i = 0; i < count; ++i) {
+        vec2 node = small ? smallDiscNode(i) : discNode(i);
         float t = 0.5 * (t0 + t1) + 0.5 * (t1 - t0) * node.x;
         float u = narrow ? node.x : (tan(t) - d.middle.x) / d.halfWidth;
         float x = d.middle.x + d.halfWidth * u;
@@ -195,8 +207,8 @@ float angleBetween(vec3 a, vec3 b)
     return sqrt(c2) * (1.0 + c2 * (1.0 / 24.0 + c2 * (3.0 / 640.0 + c2 * 5.0 / 7168.0)));
 }
 
-// Integral of cos^exponent of the angle to r over the disc about s: 8 nodes across the disc where the lobe reaches it, along
-// it a Gaussian of the lobe's width.
+// Integral of cos^exponent of the angle to r over the disc about s: nodes across the disc where the lobe reaches it, along it
+// a Gaussian of the lobe's width.
 float phongDisc(vec3 r, vec3 s, float exponent, float radius)
 {
     float distance = angleBetween(r, s);
@@ -207,9 +219,11 @@ float phongDisc(vec3 r, vec3 s, float exponent, float radius)
     float low = max(-radius, -reach - distance);
     float high = min(min(radius, max(reach - distance, low + reach)), 0.5 * PI - distance);
     if (high <= low) return 0.0;
+    bool small = radius < 0.2 * width && high - low >= 2.0 * radius;
+    int count = small ? SMALL_DISC_NODES : DISC_NODES;
     float sum = 0.0;
-    for (int i = 0; i < 8; ++i) {
-        vec2 node = discNode(i);
+    for (int i = 0; i < count; ++i) {
+        vec2 node = small ? smallDiscNode(i) : discNode(i);
         float w = 0.5 * (low + high) + 0.5 * (high - low) * node.x;
         float chord = sqrt(max((radius - w) * (radius + w), 0.0));
         // Relative to the lobe at the disc's nearest point, which keeps far discs from underflow.
