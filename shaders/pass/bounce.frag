@@ -15,7 +15,7 @@ layout(location = 2) out vec4 alongY;
 layout(location = 3) out vec4 alongZ;
 layout(location = 4) out vec4 sentOn;
 
-const int samples = 16;  // along each side of a block, at most
+const int samples = 8;  // along each side of a block, at most: 65536 of a picture
 
 void main()
 {
