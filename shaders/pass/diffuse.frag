@@ -3,7 +3,10 @@
 // D: the diffuse term without occlusion, rho/pi times the integral of L cos [seed 000, eq. 3, second term]. Alpha is the share of the
 // albedo that light from everywhere meets.
 // Radiance in units of the map's mean.
-#pragma import_defines(HAS_SUNS, HAS_SUN_SHADOWS)
+#pragma import_defines(HAS_SUNS, HAS_SUN_SHADOWS, KEEPS_UNSHADED)
+#if defined(HAS_SUNS) && (!defined(HAS_SUN_SHADOWS) || defined(KEEPS_UNSHADED))
+#define UNSHADED_SUNS
+#endif
 
 #include "lib/constants.glsl"
 #include "pass/gbuffer.glsl"
@@ -14,11 +17,14 @@
 #endif
 
 layout(location = 0) out vec4 diffuse;
-#ifdef HAS_SUNS
-layout(location = 1) out vec4 sunDiffuse; // apart: what keeps D from a surface is not what keeps the suns from it
-#ifdef HAS_SUN_SHADOWS
-layout(location = 2) out vec4 sunShaded;  // what is left of that
+// Of the suns apart: what keeps D from a surface is not what keeps them from it.
+#if defined(HAS_SUNS) && defined(HAS_SUN_SHADOWS)
+layout(location = 1) out vec4 sunShaded;
+#ifdef UNSHADED_SUNS
+layout(location = 2) out vec4 sunDiffuse;
 #endif
+#elif defined(HAS_SUNS)
+layout(location = 1) out vec4 sunDiffuse;
 #endif
 
 // ofSky() is the radiance that the diffuse layer reflects of the map. ofDirection() is pi times its BRDF for light from one direction.
@@ -48,11 +54,11 @@ void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
     diffuse = vec4(0.0);
-#ifdef HAS_SUNS
+#ifdef UNSHADED_SUNS
     sunDiffuse = vec4(0.0);
-#ifdef HAS_SUN_SHADOWS
-    sunShaded = vec4(0.0);
 #endif
+#if defined(HAS_SUNS) && defined(HAS_SUN_SHADOWS)
+    sunShaded = vec4(0.0);
 #endif
     vec3 n = pixelNormal(p);
     vec3 rho = pixelAlbedo(p);
@@ -76,7 +82,9 @@ void main()
 #ifdef HAS_SUNS
     for (int i = 0; i < sunCount; ++i) {
         vec3 sun = ofDirection(layer, p, n, sunDirection[i]) * sunIrradianceOverPi(i, mapNormal);
+#ifdef UNSHADED_SUNS
         sunDiffuse.rgb += sun;
+#endif
 #ifdef HAS_SUN_SHADOWS
         sunShaded.rgb += sunVisibility(i) * sun;
 #endif

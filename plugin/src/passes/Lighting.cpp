@@ -24,8 +24,12 @@ void DiffusePass::setup(PassBuilder& b, FrameContext& c)
     if (!c.decisions.sunDiffuse) return;
     b.define("HAS_SUNS");
     readSuns(b, c);
-    b.write(b.create("sun diffuse"));
-    if (readSunVisibility(b)) b.write(b.create("sun shaded"));
+    // A picture shows only what shadows leave of them.
+    const bool isShaded = readSunVisibility(b);
+    const bool isShown = !isShaded || c.settings.view != Settings::BEAUTY;
+    b.define("KEEPS_UNSHADED", isShaded && isShown);
+    if (isShaded) b.write(b.create("sun shaded"));
+    if (isShown) b.write(b.create("sun diffuse"));
 }
 
 }  // namespace osgEnvLight
