@@ -24,12 +24,13 @@ const int PROBE_DEPTH_SIDE = 12;       // of the octahedral map of what a probe 
 const int PROBE_HARMONICS = 9;         // in which a probe adds up what it sees
 const int PROBE_IRRADIANCE_SIDE = 6;   // of that of the light that it gets
 
-// A pass that draws pixels of a mark draws those of lower ones, too.
-const float MARK_STEP = 0.125;
-const float MARK_COATED = 0.125;  // a surface with a clear coat
-const float MARK_TRACED = 0.25;   // a surface with a lobe that is narrow enough to search the picture for what it shows
-const float MARK_GLOSSY = 0.375;  // a surface with a lobe
-const float MARK_SURFACE = 0.5;
+// Steps of 2^13 of the 16 bits that keep a mark, and a quarter of a bit: rounded or cut off it is the same, so that it can be asked for
+// alone.
+const float MARK_STEP = 8192.0f / 65535.0f;
+const float MARK_COATED = 8192.25f / 65535.0f;   // a surface with a clear coat
+const float MARK_TRACED = 16384.25f / 65535.0f;  // a surface with a lobe that is narrow enough to search the picture for what it shows
+const float MARK_GLOSSY = 24576.25f / 65535.0f;  // a surface with a lobe
+const float MARK_SURFACE = 32768.25f / 65535.0f;
 const float MARK_NONE = 1.0;
 
 // In the emission's alpha, of the surface of an area light: what it sends is in the light's own terms. Else that is below .5, or 1.

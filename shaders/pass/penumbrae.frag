@@ -1,8 +1,10 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// What each pixel sees of the suns, second part: where all about it see the same, that is it. All other pixels are marked.
+// What each pixel sees of the suns, third part: in quads that see the same as those about them, that is it. All other pixels are marked.
 #include "lib/limits.glsl"
 #include "pass/sunpoints.glsl"
+
+uniform sampler2D sunQuadMap;
 
 layout(location = 0) out vec4 visibility0;
 layout(location = 1) out vec4 visibility1;
@@ -10,17 +12,15 @@ layout(location = 1) out vec4 visibility1;
 void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
-    ivec2 last = ivec2(viewportSize) - 1;
     visibility0 = vec4(1.0);
     visibility1 = vec4(1.0);
-    bool even = true;
     for (int i = 0; i < sunCount; ++i) {
         float own = seenAt(i, p).x;
-        even = even && sunAround(i, p, own, last).even;
         if (i < 4)
             visibility0[i] = own;
         else
             visibility1[i - 4] = own;
     }
+    bool even = texelFetch(sunQuadMap, p / 2, 0).r > 0.5;
     gl_FragDepth = even || isBackground(p) ? MARK_NONE : MARK_SURFACE;
 }

@@ -20,6 +20,7 @@ using osgEnvLight::LitScene;
 using osgEnvLight::PassBuilder;
 using osgEnvLight::Requirement;
 using osgEnvLight::Settings;
+using osgEnvLight::TextureId;
 
 namespace
 {
@@ -47,23 +48,25 @@ class GlowPass : public osgEnvLight::RenderPass
     osg::ref_ptr<osg::Uniform> _glow;
 };
 
-// Draws 1 into a texture where pixels have a mark, and elsewhere what it is told.
+// Draws 1 into a texture where pixels have a mark or a lower one, or only where they have that, and elsewhere what it is told.
 class MarkedPass : public osgEnvLight::RenderPass
 {
   public:
-    MarkedPass(float mark, float elsewhere) : _mark(mark), _elsewhere(elsewhere) {}
+    MarkedPass(float mark, float elsewhere, bool only = false) : _mark(mark), _elsewhere(elsewhere), _only(only) {}
 
     const char* name() const override { return "marked"; }
     Requirement require(const FrameContext&) const override { return {true, "for the test"}; }
     void setup(PassBuilder& b, FrameContext&) override
     {
-        b.drawMarked(b.find("pixel marks"), _mark);
+        const TextureId marks = b.find("pixel marks");
+        _only ? b.drawOnly(marks, _mark) : b.drawMarked(marks, _mark);
         b.write(b.create("marked texture"), {_elsewhere, _elsewhere, _elsewhere, 1});
     }
 
   private:
     const float _mark;
     const float _elsewhere;
+    const bool _only;
 };
 
 // Adds 1 to it for the passes after this one.
@@ -192,12 +195,12 @@ TEST_F(FrameGraphTest, HasAPassOfTheUsers)
 // Surfaces, those of them with a lobe, and what the others have: emission is shown where there is a surface.
 TEST_F(FrameGraphTest, DrawsMarkedPixels)
 {
-    const auto emitted = [&](bool glossy, float mark, float elsewhere) {
+    const auto emitted = [&](bool glossy, float mark, float elsewhere, bool only = false) {
         osg::ref_ptr<WithPasses> lit = makeScene();
         lit->getSettings()->view = Settings::EMISSION;
         if (glossy)
             osgEnvLight::Material::setPhong(*lit->getOrCreateStateSet(), osg::Vec3f(), osg::Vec3f(0.5f, 0.5f, 0.5f), 20.0f);
-        lit->passes = {new MarkedPass(mark, elsewhere), new ShowMarkedPass};
+        lit->passes = {new MarkedPass(mark, elsewhere, only), new ShowMarkedPass};
         return renderer.render(lit, 2).color(16, 16)[0];
     };
     using namespace osgEnvLight::limits;
@@ -205,6 +208,10 @@ TEST_F(FrameGraphTest, DrawsMarkedPixels)
     EXPECT_EQ(0.25, emitted(false, MARK_GLOSSY, 0.25f));
     EXPECT_EQ(1.0, emitted(true, MARK_GLOSSY, 0.25f));
     EXPECT_EQ(1.0, emitted(true, MARK_SURFACE, 0.25f));
+    EXPECT_EQ(1.0, emitted(false, MARK_SURFACE, 0.25f, true));
+    EXPECT_EQ(0.25, emitted(true, MARK_SURFACE, 0.25f, true));
+    EXPECT_EQ(1.0, emitted(true, MARK_GLOSSY, 0.25f, true));
+    EXPECT_EQ(0.25, emitted(true, MARK_TRACED, 0.25f, true));
 }
 
 // A reader before it reads what there was, one after it the sum.
@@ -271,11 +278,12 @@ TEST_F(FrameGraphTest, EveryPassIsInThePlan)
     osg::ref_ptr<WithPasses> lit = makeScene();
     renderer.render(lit, 1);
     for (const char* pass :
-         {"background", "gbuffer",  "pixelmarks", "penumbrae",   "scenelights",      "seen",       "atlas",         "stillmaps",
-          "suns",       "sunmap",   "sunshadow",  "sunfilter",   "diffuse",          "occlusion",  "filterrows",    "filter",
-          "specular",   "loberows", "lobes",      "reflections", "reflectionfilter", "bounce",     "bouncesum",     "links",
-          "points",     "bounces",  "indirect",   "resolve",     "accumulate",       "stillerror", "display",       "composite",
-          "forward",    "areamaps", "areashadow", "arearows",    "areafilter",       "arealights", "scenelightmaps"})
+         {"background", "gbuffer",    "pixelmarks", "penumbrae",      "scenelights",     "seen",        "atlas",
+          "stillmaps",  "suns",       "sunmap",     "sunshadow",      "sunfilter",       "diffuse",     "occlusion",
+          "filterrows", "filter",     "specular",   "loberows",       "lobes",           "reflections", "reflectionfilter",
+          "bounce",     "bouncesum",  "links",      "points",         "bounces",         "indirect",    "resolve",
+          "accumulate", "stillerror", "display",    "composite",      "forward",         "areamaps",    "areashadow",
+          "arearows",   "areafilter", "arealights", "scenelightmaps", "glossyocclusion", "sunquads"})
         EXPECT_NE("", lit->plan().reason(pass)) << pass;
 }
 

@@ -23,14 +23,14 @@ namespace
 const unsigned firstForwardUnit = SurfaceState::units;  // beyond those of the surfaces
 const int endOfFrame = std::numeric_limits<int>::max() - 1;
 
-// Against the host's depth, or against marks: half a step above the mark passes all that have it or a lower one.
+// Against the host's depth, or against marks.
 osg::ref_ptr<osg::Depth> depthTest(const PassInputs& in, bool reversed)
 {
     if (in.toHost) return new osg::Depth(reversed ? osg::Depth::GEQUAL : osg::Depth::LEQUAL);
     if (!in.marks.valid()) return new osg::Depth(osg::Depth::ALWAYS, 0, 1, false);
     if (in.writesMarks) return new osg::Depth(osg::Depth::ALWAYS);
-    const double z = double(in.drawnMark + 0.5f * limits::MARK_STEP);
-    return new osg::Depth(in.drawsUnmarked ? osg::Depth::LESS : osg::Depth::GREATER, z, z, false);
+    const auto z = double(in.drawnDepth);
+    return new osg::Depth(in.markTest, z, z, false);
 }
 
 }  // namespace
@@ -192,7 +192,9 @@ void FrameGraph::allocate(const std::vector<int>& sequence, const FrameContext& 
     std::stable_sort(spans.begin(), spans.end(), [](const Span& a, const Span& b) { return a.first < b.first; });
     for (const Span& s : spans) {
         const TextureDesc& d = s.resource->desc;
-        const TexturePool::Size size{d.format, d.side ? d.side : c.width(), d.side ? d.side : c.height()};
+        const int pixels = d.half ? 2 : 1;
+        const TexturePool::Size size{d.format, d.side ? d.side : (c.width() + pixels - 1) / pixels,
+                                     d.side ? d.side : (c.height() + pixels - 1) / pixels};
         s.resource->texture = d.kept ? _pool.kept(s.resource->name, size) : _pool.transient(size, s.first, s.last);
     }
 }
@@ -221,7 +223,7 @@ osg::StateSet& FrameGraph::stateOf(const Node& node, FrameContext& c)
     const bool reversed = in.toHost && c.depth.reversed;
     const std::vector<StateSets::Sampler> all = samplers(node);
     const std::string mark =
-        in.drawsMarked() ? (in.drawsUnmarked ? " beyond mark " : " of mark ") + std::to_string(in.drawnMark) : "";
+        in.drawsMarked() ? " of marks " + std::to_string(in.markTest) + " " + std::to_string(in.drawnDepth) : "";
     StateSets::Key key{
         name + (in.adds ? " adds" : "") + (in.blendsOverHost ? " over" : "") + (reversed ? " reversed" : "") + mark,
         in.defines,

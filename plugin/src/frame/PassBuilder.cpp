@@ -87,20 +87,30 @@ void PassBuilder::mark(TextureId marks)
     _inputs.writesMarks = true;
 }
 
-void PassBuilder::drawMarked(TextureId marks, float mark)
+void PassBuilder::testMarks(TextureId marks, osg::Depth::Function test, float depth)
 {
     if (!marks.valid())
         throw std::runtime_error(std::string(_graph._nodes[size_t(_pass)].pass->name()) +
                                  " draws marked pixels, which no pass before it marks");
     _graph._resources[size_t(marks._index)].readers.push_back(_pass);
     _inputs.marks = marks;
-    _inputs.drawnMark = mark;
+    _inputs.markTest = test;
+    _inputs.drawnDepth = depth;
+}
+
+void PassBuilder::drawMarked(TextureId marks, float mark)
+{
+    testMarks(marks, osg::Depth::GREATER, mark + 0.5f * limits::MARK_STEP);
+}
+
+void PassBuilder::drawOnly(TextureId marks, float mark)
+{
+    testMarks(marks, osg::Depth::EQUAL, mark);
 }
 
 void PassBuilder::drawUnmarked(TextureId marks)
 {
-    drawMarked(marks, limits::MARK_NONE - limits::MARK_STEP);
-    _inputs.drawsUnmarked = true;
+    testMarks(marks, osg::Depth::LESS, limits::MARK_NONE - 0.5f * limits::MARK_STEP);
 }
 
 void PassBuilder::triangle(const std::function<osg::ref_ptr<FullScreen>()>& make, const std::function<void(FullScreen&)>& prepare)

@@ -7,6 +7,7 @@
 #include <osgEnvLight/Export>
 #include <osgEnvLight/SettingsGroups>
 
+#include <osg/Depth>
 #include <osg/StateSet>
 #include <osg/Texture2D>
 
@@ -37,6 +38,7 @@ struct TextureDesc {
     GLint format = GL_RGBA16F_ARB;
     int side = 0;       // of a square one [pixels]; 0: as large as the view
     bool kept = false;  // what is in it stays from frame to frame
+    bool half = false;  // a texel for each 2x2 pixels of the view
 };
 
 /** A draw of something else than a triangle over the target, with the camera whose callbacks bind what it draws into. */
@@ -62,8 +64,8 @@ struct PassInputs {
     std::vector<Target> targets;
     TextureId marks;  // depth texture of the targets
     bool writesMarks = false;
-    bool drawsUnmarked = false;
-    float drawnMark = 0.0f;  // of the pixels that are drawn, else: those of this mark or a lower one
+    osg::Depth::Function markTest = osg::Depth::GREATER;  // of drawnDepth against the marks
+    float drawnDepth = 0.0f;
     std::vector<std::string> defines;
     std::vector<osg::ref_ptr<osg::Uniform>> uniforms;
     std::vector<osg::ref_ptr<osg::StateSet>> frameUniforms;
@@ -119,6 +121,8 @@ class OSGENVLIGHT_EXPORT PassBuilder
     void mark(TextureId marks);
     /** Draw only the pixels that have this mark or a lower one: the depth test drops the others before their shader runs. */
     void drawMarked(TextureId marks, float mark);
+    /** Draw only those that have this mark. */
+    void drawOnly(TextureId marks, float mark);
     /** Draw only those that have none. */
     void drawUnmarked(TextureId marks);
     /** Draw into the host's colour and depth. */
@@ -164,6 +168,7 @@ class OSGENVLIGHT_EXPORT PassBuilder
 
   private:
     void settings(SettingsGroup group);
+    void testMarks(TextureId marks, osg::Depth::Function test, float depth);
 
     FrameGraph& _graph;
     FrameContext& _context;

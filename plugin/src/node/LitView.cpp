@@ -37,10 +37,12 @@ LitView::LitView(Failure* failure, RetiredObjects* retired, SurfaceSorter* sorte
     graph.add(new PointsPass);
     graph.add(new BouncesPass(failure));
     graph.add(new SunShadowPass);
+    graph.add(new SunQuadsPass);
     graph.add(new PenumbraPass);
     graph.add(new SunFilterPass);
     graph.add(new DiffusePass);
     graph.add(new OcclusionPass);
+    graph.add(new GlossyOcclusionPass);
     graph.add(new FilterRowsPass);
     graph.add(new FilterPass);
     graph.add(new SpecularPass);

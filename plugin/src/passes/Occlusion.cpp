@@ -27,6 +27,23 @@ bool occludesLobes(const FrameContext& c)
     return c.decisions.atlas.needed && s.specular && s.reflections != Settings::REFLECTIONS_OFF && c.facts.surfaces.hasLobes();
 }
 
+void readLights(PassBuilder& b, FrameContext& c)
+{
+    b.settings<OcclusionSettings>();
+    if (c.decisions.atlas.needed) {
+        b.define("HAS_ATLAS");
+        readSkyMaps(b, c, "atlas", *c.skyMaps, c.nearSkyMaps);
+    } else {
+        b.bind(c.textures->occlusionLights(c.decisions.occlusionLights), "occlusionLightMap");
+    }
+    // Beside the atlas it is slices, whatever the method of the screen alone.
+    static const char* const methods[] = {"OCCLUSION_SLICES", "OCCLUSION_RAYS", "OCCLUSION_POINTS", "OCCLUSION_HORIZONS",
+                                          "OCCLUSION_BENT_NORMAL"};
+    if (!c.decisions.screen) return;
+    b.define(methods[c.decisions.atlas.needed ? Settings::SLICE : c.settings.occlusionMethod]);
+    if (c.settings.occlusionSlices < 4) b.define("SLICES_" + std::to_string(c.settings.occlusionSlices));
+}
+
 const TextureDesc packed = {GL_RGBA32UI_EXT};  // as in pass/lightsums.glsl
 using Texel = std::array<float, 4>;
 const Texel noSums = {0, 0, 0, 0};
@@ -66,25 +83,33 @@ Requirement OcclusionPass::require(const FrameContext& c) const
 
 void OcclusionPass::setup(PassBuilder& b, FrameContext& c)
 {
-    b.readGBuffer();
-    b.settings<OcclusionSettings>();
-    if (c.decisions.atlas.needed) {
-        b.define("HAS_ATLAS");
-        readSkyMaps(b, c, "atlas", *c.skyMaps, c.nearSkyMaps);
-    } else {
-        b.bind(c.textures->occlusionLights(c.decisions.occlusionLights), "occlusionLightMap");
-    }
-    // Beside the atlas it is slices, whatever the method of the screen alone.
-    static const char* const methods[] = {"OCCLUSION_SLICES", "OCCLUSION_RAYS", "OCCLUSION_POINTS", "OCCLUSION_HORIZONS",
-                                          "OCCLUSION_BENT_NORMAL"};
-    if (c.decisions.screen) b.define(methods[c.decisions.atlas.needed ? Settings::SLICE : c.settings.occlusionMethod]);
-    if (c.decisions.screen && c.settings.occlusionSlices < 4) b.define("SLICES_" + std::to_string(c.settings.occlusionSlices));
-    drawSurfaces(b);
+    b.read("normal", "normalMap");
+    b.read("depth", "depthMap");
+    readLights(b, c);
+    if (occludesLobes(c))
+        b.drawOnly(b.find("pixel marks"), limits::MARK_SURFACE);
+    else
+        drawSurfaces(b);
     writeSums(b, "light sums", "light places");
-    if (!occludesLobes(c)) return;
+}
+
+Requirement GlossyOcclusionPass::require(const FrameContext& c) const
+{
+    Requirement glossy = c.decisions.occlusion;
+    glossy.unless(!occludesLobes(c), "no lobe is asked what hides the map from it");
+    return glossy.because("surfaces with a lobe ask for its lights, too");
+}
+
+void GlossyOcclusionPass::setup(PassBuilder& b, FrameContext& c)
+{
+    b.readGBuffer();
+    readLights(b, c);
     b.define("HAS_LOBES");
     readLobes(b, c);
     b.bind(c.atlasLights.nearest("atlas", *c.skyMaps), "nearestLightMap");
+    b.drawMarked(b.find("pixel marks"), limits::MARK_GLOSSY);
+    b.drawOver(b.find("light sums"));
+    b.drawOver(b.find("light places"));
     b.write(b.create("lobe lights", packed), noSums);
 }
 

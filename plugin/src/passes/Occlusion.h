@@ -16,6 +16,16 @@ class OSGENVLIGHT_EXPORT OcclusionPass : public RenderPass
     void setup(PassBuilder& builder, FrameContext& context) override;
 };
 
+/** The same of surfaces with a lobe, and what they see of the lights in it. */
+class OSGENVLIGHT_EXPORT GlossyOcclusionPass : public RenderPass
+{
+  public:
+    const char* name() const override { return "glossyocclusion"; }
+    const char* shader() const override { return "occlusion"; }
+    Requirement require(const FrameContext& context) const override;
+    void setup(PassBuilder& builder, FrameContext& context) override;
+};
+
 /** Second part: these sums, averaged over cells along rows. */
 class OSGENVLIGHT_EXPORT FilterRowsPass : public RenderPass
 {

@@ -108,6 +108,21 @@ void SunShadowPass::setup(PassBuilder& b, FrameContext& c)
     for (unsigned i = 0; i < pairs(c); ++i) b.write(b.create(numbered("sun points ", i)), {1, 0, 1, 0});
 }
 
+Requirement SunQuadsPass::require(const FrameContext& c) const
+{
+    return requireSunMaps(c).because("which 2x2 pixels see suns as those about them do");
+}
+
+void SunQuadsPass::setup(PassBuilder& b, FrameContext& c)
+{
+    if (c.hasFirstFrame()) return;
+    readSunPoints(b, c);
+    readSuns(b, c);
+    TextureDesc quads;
+    quads.half = true;
+    b.write(b.create("sun quads", quads));
+}
+
 Requirement PenumbraPass::require(const FrameContext& c) const
 {
     return requireSunMaps(c).because("where neighbours see suns unlike each other");
@@ -119,6 +134,7 @@ void PenumbraPass::setup(PassBuilder& b, FrameContext& c)
     b.read("depth", "depthMap");
     readSunPoints(b, c);
     readSuns(b, c);
+    b.read(b.find("sun quads"), "sunQuadMap");
     b.mark(b.create("penumbrae", {GL_DEPTH_COMPONENT16}));
     for (unsigned i = 0; i < fours(c); ++i) b.write(b.create(numbered("sun visibility ", i)));
 }

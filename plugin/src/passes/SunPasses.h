@@ -41,7 +41,16 @@ class OSGENVLIGHT_EXPORT SunShadowPass : public RenderPass
     void setup(PassBuilder& builder, FrameContext& context) override;
 };
 
-/** The same where neighbours agree; the pixels where they don't, marked. */
+/** The quads of 2x2 pixels that see the suns as those about them do. */
+class OSGENVLIGHT_EXPORT SunQuadsPass : public RenderPass
+{
+  public:
+    const char* name() const override { return "sunquads"; }
+    Requirement require(const FrameContext& context) const override;
+    void setup(PassBuilder& builder, FrameContext& context) override;
+};
+
+/** What each pixel of such quads sees; the pixels of the others, marked. */
 class OSGENVLIGHT_EXPORT PenumbraPass : public RenderPass
 {
   public:
