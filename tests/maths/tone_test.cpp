@@ -91,7 +91,8 @@ TEST(tone, TypedColorsAreLightAboveOne)
     EXPECT_EQ(glsl::typedDecode(-1.0), 0.0);
     EXPECT_NEAR(glsl::typedDecode(1.0), 1.0, 1e-15);
     EXPECT_NEAR(glsl::typedDecode(0.5), glsl::srgbDecode(0.5), 1e-15);
-    for (const double x : {0.0, 0.001, 0.3, 1.0, 1.5, 1e6}) EXPECT_NEAR(glsl::typedDecode(glsl::typedEncode(x)), x, 1e-14 * (1.0 + x));
+    for (const double x : {0.0, 0.001, 0.3, 1.0, 1.5, 1e6})
+        EXPECT_NEAR(glsl::typedDecode(glsl::typedEncode(x)), x, 1e-14 * (1.0 + x));
     EXPECT_EQ(glsl::typedDecode3(vec3(9.0, 0.0, -2.0)).x, 9.0);
 }
 

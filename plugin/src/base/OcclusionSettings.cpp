@@ -11,6 +11,7 @@ std::vector<SettingsProperty> OcclusionSettings::properties()
     return {
         uniform(real("nearRadius", &S::nearRadius, 0, 100, "texels of the atlas",
                      "how far O looks on the screen where the atlas knows the rest; 0: not at all")),
+        number("nearSlices", &S::nearSlices, 1, 4, "slices a pixel", "occlusionSlices of that"),
         uniform(number("nearTaps", &S::nearTaps, 1, 32, "taps a side", "occlusionTaps of that")),
         number(
             "occlusionLights", &S::occlusionLights, 16, 65536, "lights",

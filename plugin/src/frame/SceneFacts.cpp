@@ -84,7 +84,7 @@ Requirement decideOcclusion(const SceneFacts& f, const Settings& s, const Requir
 
 std::string describeOcclusion(const Settings& s, const Decisions& d)
 {
-    const std::string slices = counted(size_t(s.occlusionSlices), "slice") + " of ";
+    const std::string slices = counted(size_t(d.atlas.needed ? s.nearSlices : s.occlusionSlices), "slice") + " of ";
     std::string reason = counted(d.occlusionLights, "light") + ", " + std::to_string(d.occlusionLights / 16) + " a pixel, ";
     if (d.atlas.needed)
         reason += d.screen ? "each asking its shadow map and " + slices + counted(size_t(2 * s.nearTaps), "tap")

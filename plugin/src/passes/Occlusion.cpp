@@ -41,7 +41,8 @@ void readLights(PassBuilder& b, FrameContext& c)
                                           "OCCLUSION_BENT_NORMAL"};
     if (!c.decisions.screen) return;
     b.define(methods[c.decisions.atlas.needed ? Settings::SLICE : c.settings.occlusionMethod]);
-    if (c.settings.occlusionSlices < 4) b.define("SLICES_" + std::to_string(c.settings.occlusionSlices));
+    const int slices = c.decisions.atlas.needed ? c.settings.nearSlices : c.settings.occlusionSlices;
+    if (slices < 4) b.define("SLICES_" + std::to_string(slices));
 }
 
 const TextureDesc packed = {GL_RGBA32UI_EXT};  // as in pass/lightsums.glsl
