@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // The map, the suns and lamps light the surface points [indirect2.md 6]. Each texel is a point. The colour is the irradiance over pi, in
 // units of the map's mean; alpha is the share of the map's directions that the point sees.
-#pragma import_defines(HAS_SUN_MAPS, HAS_AREA_LIGHTS, HAS_SCENE_LIGHT_MAPS)
+#pragma import_defines(MAP_IS_BLACK, HAS_SUN_MAPS, HAS_AREA_LIGHTS, HAS_SCENE_LIGHT_MAPS)
 
 #include "lib/constants.glsl"
 #include "lib/limits.glsl"
@@ -105,7 +105,9 @@ void main()
             all += c * l.solidAngle;
             float sees = atlasSees(l, place + pointsInAtlas, n, c);
             seen += sees * c * l.solidAngle;
+#ifndef MAP_IS_BLACK  // then the lights only say how much of the sphere is seen
             sum += sees * c * l.flux;
+#endif
         }
     vec3 overPi = sum * INV_PI;
 #ifdef HAS_SUN_MAPS

@@ -208,6 +208,7 @@ void PointsPass::setup(PassBuilder& b, FrameContext& c)
     b.bind(light.scene->pointPlaces, "pointPlaceMap");
     b.bind(light.scene->pointNormals, "pointNormalMap");
     readSkyMaps(b, c, "atlas", *c.skyMaps, nullptr);
+    b.define("MAP_IS_BLACK", c.facts.mapIsBlack);
     FrameResources::PointPlaces places;
     places.inAtlas = light.scene->origin - c.skyMaps->origin();
     if (c.sunMaps && c.decisions.sunDiffuse) {
