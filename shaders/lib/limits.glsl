@@ -19,6 +19,7 @@ const int ANISOTROPY_BLOCKS = 9;  // that follow where surfaces are brushed
 const int PROBE_SIDE = 16;        // points that are read back along each side of the picture
 const int MOST_PROBES = 32;       // along each axis of their grid
 const int POINT_SIDE = 64;        // surface points along each side of the textures that have a texel for each
+const int POINT_PART_SIDE = 4; // parts of what a point stands for along each side of the square of their texels
 const int PROBE_FACE_SIDE = 8;         // directions along each side of a cube's face in which a probe looks
 const int PROBE_DEPTH_SIDE = 12;       // of the octahedral map of what a probe knows of distances [texels]
 const int PROBE_HARMONICS = 9;         // in which a probe adds up what it sees

@@ -10,6 +10,9 @@
 #ifdef HAS_SUN_MAPS
 #include "pass/sunshadow.glsl"
 #endif
+#if defined(HAS_SUN_MAPS) || defined(HAS_SCENE_LIGHT_MAPS)
+#define HAS_SMALL_LIGHTS
+#endif
 #if defined(HAS_AREA_LIGHTS) || defined(HAS_SCENE_LIGHT_MAPS)
 #include "pass/pointmap.glsl"
 uniform float radianceScale;
@@ -28,6 +31,10 @@ uniform vec3 pointsInAtlas;  // origin of the points about that of the atlas
 uniform int pointRows;       // of every so many rows of points one is due in this frame
 uniform int pointTurn;       // which one
 uniform float pointLift;     // off their surfaces, which the suns' maps show more finely
+#ifdef HAS_SMALL_LIGHTS
+uniform sampler2D partPlaceMap;
+uniform sampler2D partNormalMap;
+#endif
 #ifdef HAS_SUN_MAPS
 uniform vec3 pointsInSunMaps;
 #endif
@@ -44,13 +51,14 @@ uniform mat4 eyeFromPoints;
 layout(location = 0) out vec4 light;
 
 #ifdef HAS_SUN_MAPS
-vec3 sunLight(vec3 place, vec3 n)
+// Each part asks a point of the discs that is its own.
+vec3 sunLight(vec3 place, vec3 n, int part)
 {
     vec3 sum = vec3(0.0);
-    SunPixel s = SunPixel(place + pointsInSunMaps + pointLift * n, n, -n, 0.0, 1.0, 0);
+    SunPixel s = SunPixel(place + pointsInSunMaps + pointLift * n, n, -n, 0.0, 1.0, part);
     for (int i = 0; i < sunCount; ++i) {
         float e = discIrradianceOverPi(dot(n, sunAxes[3 * i + 2]), sunRadius[i]);
-        if (e > 0.0) sum += e * sunSeen(i, s, 4).x * sunRadiance[i];
+        if (e > 0.0) sum += e * sunSeen(i, s, 1).x * sunRadiance[i];
     }
     return sum;
 }
@@ -87,6 +95,26 @@ vec3 sceneLight(vec3 place, vec3 n)
 }
 #endif
 
+#ifdef HAS_SMALL_LIGHTS
+// What casts sharp shadows, or lights less than a point stands for: the mean over its parts.
+vec3 smallLights(ivec2 p)
+{
+    vec3 sum = vec3(0.0);
+    for (int k = 0; k < POINT_PART_SIDE * POINT_PART_SIDE; ++k) {
+        ivec2 q = POINT_PART_SIDE * p + ivec2(k % POINT_PART_SIDE, k / POINT_PART_SIDE);
+        vec3 place = texelFetch(partPlaceMap, q, 0).xyz;
+        vec3 n = normalize(texelFetch(partNormalMap, q, 0).xyz);
+#ifdef HAS_SUN_MAPS
+        sum += sunLight(place, n, k);
+#endif
+#ifdef HAS_SCENE_LIGHT_MAPS
+        sum += sceneLight(place, n);
+#endif
+    }
+    return sum / float(POINT_PART_SIDE * POINT_PART_SIDE);
+}
+#endif
+
 void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
@@ -110,14 +138,11 @@ void main()
 #endif
         }
     vec3 overPi = sum * INV_PI;
-#ifdef HAS_SUN_MAPS
-    overPi += sunLight(place, n);
+#ifdef HAS_SMALL_LIGHTS
+    overPi += smallLights(p);
 #endif
 #ifdef HAS_AREA_LIGHTS
     overPi += areaLight(place, n);
-#endif
-#ifdef HAS_SCENE_LIGHT_MAPS
-    overPi += sceneLight(place, n);
 #endif
     light = vec4(overPi, all > 0.0 ? seen / all : 1.0);
 }

@@ -57,6 +57,34 @@ TEST(SurfacePoints, AreSpreadEvenlyOverLargeTriangles)
     for (const int count : counts) EXPECT_NEAR(64, count, 16);
 }
 
+// Of a disc as large as three points' share, what the parts in it stand for is its area: by the points 25 % are wrong, by sixteen
+// parts of each 10 %.
+TEST(SurfacePoints, PartsKnowWhatIsSmallerThanAPoint)
+{
+    TracedScene scene;
+    addQuad(scene, addSurface(scene, true), osg::Vec3f(), osg::Vec3f(1, 0, 0), osg::Vec3f(0, 1, 0));
+    const size_t count = 1024, parts = 16;
+    const std::vector<SurfacePoint> points = placeSurfacePoints(scene, count);
+    const std::vector<osgEnvLight::SurfacePart> all = osgEnvLight::placeSurfaceParts(scene, points, parts);
+    ASSERT_EQ(count * parts, all.size());
+    const NearestPoint nearest(points);
+    for (size_t i = 0; i < all.size(); i += 7) EXPECT_EQ(i / parts, nearest.find(all[i].position, all[i].normal, 0)) << i;
+
+    const double radius = std::sqrt(3.0 / (double(count) * M_PI));
+    const auto error = [&](const auto& places) {
+        double sum = 0.0;
+        for (int k = 0; k < 100; ++k) {
+            const osg::Vec3f middle(0.1f + 0.08f * float(k % 10) + 0.007f * float(k % 7), 0.1f + 0.08f * float(k / 10), 0);
+            const auto inside = std::count_if(places.begin(), places.end(),
+                                              [&](const auto& p) { return double((p.position - middle).length()) < radius; });
+            sum += std::pow(double(inside) / double(places.size()) * double(count) / 3.0 - 1.0, 2);
+        }
+        return std::sqrt(sum / 100.0);
+    };
+    EXPECT_LT(error(all), 0.12);
+    EXPECT_GT(error(points), 0.2);
+}
+
 TEST(SurfacePoints, OfSurfacesWithHolesAreFewer)
 {
     TracedScene scene;

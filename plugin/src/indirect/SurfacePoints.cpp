@@ -93,6 +93,22 @@ std::vector<SurfacePoint> placeSurfacePoints(const TracedScene& scene, unsigned 
     return points;
 }
 
+std::vector<SurfacePart> placeSurfaceParts(const TracedScene& scene, const std::vector<SurfacePoint>& points, unsigned parts)
+{
+    const NearestPoint nearest(points);
+    std::vector<std::vector<SurfacePart>> about(points.size());
+    if (!points.empty())
+        for (const SurfacePoint& p : placeSurfacePoints(scene, unsigned(points.size()) * parts))
+            about[nearest.find(p.position, p.normal, p.surface)].push_back({p.position, p.normal});
+    std::vector<SurfacePart> result;
+    for (size_t i = 0; i < points.size(); ++i) {
+        // None is nearest to a point that lies on top of another.
+        if (about[i].empty()) about[i].push_back({points[i].position, points[i].normal});
+        for (size_t k = 0; k < parts; ++k) result.push_back(about[i][k * about[i].size() / parts]);
+    }
+    return result;
+}
+
 NearestPoint::NearestPoint(const std::vector<SurfacePoint>& points) : _points(points)
 {
     osg::BoundingBoxf box;

@@ -18,6 +18,17 @@ struct SurfacePoint {
  * there is no area.*/
 OSGENVLIGHT_EXPORT std::vector<SurfacePoint> placeSurfacePoints(const TracedScene& scene, unsigned count);
 
+/** A place on what a point stands for. */
+struct SurfacePart {
+    osg::Vec3f position;
+    osg::Vec3f normal;
+};
+
+/** So many places for each point, one point's after the other's, spread evenly over the surface that is nearest to it: what
+ * lights only a part of that, as a narrow spot does, lights a share of them [indirect2.md 5, sub-points].*/
+OSGENVLIGHT_EXPORT std::vector<SurfacePart> placeSurfaceParts(const TracedScene& scene, const std::vector<SurfacePoint>& points,
+                                                              unsigned parts);
+
 /** Finds the point that stands for a place on a surface. */
 class OSGENVLIGHT_EXPORT NearestPoint
 {

@@ -17,6 +17,7 @@ namespace
 {
 
 constexpr int pointSide = limits::POINT_SIDE;
+constexpr int partSide = limits::POINT_PART_SIDE;
 
 struct Texels {
     osg::ref_ptr<osg::Image> image;
@@ -54,6 +55,7 @@ TransportScene::TransportScene(const TracedScene& scene, const osg::Vec3d& place
     const CasterBvh bvh(scene, stop);
     const ProbeGrid grid(scene, bvh, points, most, stop);
     if (stop && *stop) return;
+    writeParts(placeSurfaceParts(scene, points, unsigned(partSide * partSide)));
     writePoints(points);
     writeProbes(grid);
 }
@@ -68,6 +70,20 @@ void TransportScene::writePoints(const std::vector<SurfacePoint>& points)
     }
     pointPlaces = places.texture(GL_RGBA32F_ARB);
     pointNormals = normals.texture(GL_RGBA32F_ARB);
+}
+
+void TransportScene::writeParts(const std::vector<SurfacePart>& parts)
+{
+    const int side = pointSide * partSide;
+    Texels places(side, side, 4), normals(side, side, 4);
+    for (int i = 0; i < int(parts.size()); ++i) {
+        const int point = i / (partSide * partSide), part = i % (partSide * partSide);
+        const int x = point % pointSide * partSide + part % partSide, y = point / pointSide * partSide + part / partSide;
+        places.put(y * side + x, parts[size_t(i)].position, 1.0f);
+        normals.put(y * side + x, parts[size_t(i)].normal, 1.0f);
+    }
+    partPlaces = places.texture(GL_RGBA32F_ARB);
+    partNormals = normals.texture(GL_RGBA16F_ARB);
 }
 
 void TransportScene::writeProbes(const ProbeGrid& grid)
@@ -137,7 +153,8 @@ osg::ref_ptr<osg::Texture2D> TransportScene::emissions(const StaticCasters::Part
 std::vector<osg::Texture2D*> TransportScene::textures() const
 {
     if (empty()) return {};
-    return {pointPlaces.get(), pointNormals.get(), probePlaces.get(), probeLinks.get(), probeBasis.get(), probeDepths.get()};
+    return {pointPlaces.get(), pointNormals.get(), partPlaces.get(), partNormals.get(),
+            probePlaces.get(), probeLinks.get(),   probeBasis.get(), probeDepths.get()};
 }
 
 size_t TransportScene::bytes() const

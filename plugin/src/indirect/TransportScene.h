@@ -30,6 +30,8 @@ class OSGENVLIGHT_EXPORT TransportScene : public osg::Referenced
 
     // POINT_SIDE x POINT_SIDE, one texel a point: position; normal and 1.
     osg::ref_ptr<osg::Texture2D> pointPlaces, pointNormals;
+    // The same of their parts, POINT_PART_SIDE x POINT_PART_SIDE texels in the place of a point's.
+    osg::ref_ptr<osg::Texture2D> partPlaces, partNormals;
     // columns x columns: position, and 1 or, for a probe within a body, 0.
     osg::ref_ptr<osg::Texture2D> probePlaces;
     // One row a probe, one texel a direction: the number of the point that is seen, or ProbeGrid::Link.
@@ -57,6 +59,7 @@ class OSGENVLIGHT_EXPORT TransportScene : public osg::Referenced
 
   private:
     void writePoints(const std::vector<SurfacePoint>& points);
+    void writeParts(const std::vector<SurfacePart>& parts);
     void writeProbes(const ProbeGrid& grid);
     osg::ref_ptr<osg::Texture2D> ofPoints(const StaticCasters::Parts& parts, osg::Vec3f SentLight::*member) const;
     std::vector<osg::Texture2D*> textures() const;

@@ -211,7 +211,12 @@ void PointsPass::setup(PassBuilder& b, FrameContext& c)
     b.define("MAP_IS_BLACK", c.facts.mapIsBlack);
     FrameResources::PointPlaces places;
     places.inAtlas = light.scene->origin - c.skyMaps->origin();
-    if (c.sunMaps && c.decisions.sunDiffuse) {
+    const bool hasSuns = c.sunMaps && c.decisions.sunDiffuse;
+    if (hasSuns || c.sceneLightMaps) {
+        b.bind(light.scene->partPlaces, "partPlaceMap");
+        b.bind(light.scene->partNormals, "partNormalMap");
+    }
+    if (hasSuns) {
         b.define("HAS_SUN_MAPS");
         readSuns(b, c);
         readSunMaps(b, c);
