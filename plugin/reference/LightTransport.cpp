@@ -129,6 +129,31 @@ void LightTransport::sampleDirect(const std::vector<Start>& starts, double weigh
     if (mis) _environment.sampleEach(squares, incidents);
     for (size_t i = 0; i < aims.takers.size(); ++i) add(*aims.takers[i], incidents[i], RayEnd(), weight, arrivals);
     if (!_emitters.empty()) addEmitters(starts, aims, weight, arrivals);
+    for (const Start& start : starts) addPointLights(start, weight, arrivals);
+}
+
+// Of these there is but one direction, which no other sample meets.
+void LightTransport::addPointLights(const Start& start, double weight, Arrivals& arrivals) const
+{
+    for (const PointLight& light : _scene.scene().pointLights) {
+        glm::dvec3 l = light.directional ? light.position : light.position - start.hit->position;
+        const double distance = glm::length(l);
+        if (!(distance > 0.0)) continue;
+        l /= distance;
+        const double c = start.surface->cosine(l), alongAxis = -glm::dot(l, light.axis);
+        if (c <= 0.0 || alongAxis < light.cosCutoff) continue;
+        const glm::dvec3& k = light.attenuation;
+        double factor = pi * weight * c;
+        RayEnd end;
+        if (!light.directional) {
+            factor /= std::max(k.x + distance * (k.y + distance * k.z), 1e-6);
+            end.distance = distance * (1.0 - 1e-6);
+        }
+        if (light.cosCutoff >= -1.0 && light.exponent > 0.0) factor *= std::pow(std::max(alongAxis, 0.0), light.exponent);
+        const glm::dvec3 arriving = light.radiance * factor;
+        const Arrivals::Light a{arriving * start.surface->diffuse(l), arriving * start.surface->glossy(l)};
+        if (!isBlack(a.diffuse) || !isBlack(a.specular)) add(*start.hit, l, end, a, arrivals);
+    }
 }
 
 // By the same directions, and by points of the emitters.

@@ -100,6 +100,7 @@ class LightTransport
         std::vector<const Start*> aimed, takers;
         std::vector<glm::dvec3> directions;
     };
+    void addPointLights(const Start& start, double weight, Arrivals& arrivals) const;
     void addEmitters(const std::vector<Start>& starts, const Aims& aims, double weight, Arrivals& arrivals) const;
     void add(const Start& start, const Incident& in, const RayEnd& end, double weight, Arrivals& arrivals) const;
     static void add(const SurfaceHit& hit, const glm::dvec3& direction, const RayEnd& end, const Arrivals::Light& light,

@@ -4,6 +4,7 @@
 #include "SceneState.h"
 
 #include "surface/AreaLightPlace.h"
+#include "surface/SceneLights.h"
 
 #include <osg/PagedLOD>
 #include <osg/ProxyNode>
@@ -13,6 +14,9 @@
 
 #include <algorithm>
 #include <unordered_map>
+
+#include "glsl.h"
+#include "lib/tone.glsl"
 
 namespace osgEnvLight
 {
@@ -53,6 +57,7 @@ class Flattener
         collect(*_stage);
         findOrigin();
         placeEmitters();
+        if (_reading.sceneLights) placePointLights();
         for (const osgUtil::RenderLeaf* leaf : _leaves) append(*leaf);
         for (const TriangleMesh& mesh : _result.meshes) {
             _result.triangles += mesh.triangles.size();
@@ -135,6 +140,26 @@ class Flattener
             if (!problem.empty() || !(emitter.flux() > 0.0)) continue;
             _areaLights.push_back(met);
             _result.emitters.push_back(std::move(emitter));
+        }
+    }
+
+    void placePointLights()
+    {
+        const osg::Matrixd sceneFromEye = osg::Matrixd::inverse(_camera.getViewMatrix()) *
+                                          osg::Matrixd::translate(-_result.origin.x, -_result.origin.y, -_result.origin.z);
+        const auto xyz = [](const osg::Vec4f& v) { return osg::Vec3d(v[0], v[1], v[2]); };
+        for (const SceneLight& light : switchedOn(findSceneLights(*_stage, nullptr, false), findLightModes(*_stage, {}).some)) {
+            PointLight p;
+            p.directional = light.position[3] == 0.0f;
+            p.position = toGlm(p.directional ? osg::Matrixd::transform3x3(xyz(light.position), sceneFromEye)
+                                             : xyz(light.position) * sceneFromEye);
+            const glm::dvec3 color(light.color[0], light.color[1], light.color[2]);
+            p.radiance = _reading.linearColors ? color : glm::dvec3(glsl::typedDecode3(glsl::vec3(color))) * _reading.emissionScale;
+            p.attenuation = toGlm(xyz(light.falloff));
+            p.axis = toGlm(osg::Matrixd::transform3x3(xyz(light.spot), sceneFromEye));
+            p.cosCutoff = double(light.spot[3]);
+            p.exponent = double(light.falloff[3]);
+            _result.pointLights.push_back(p);
         }
     }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// envlight-reference: the truth of a scene under its environment and area lights, ray traced.
+// envlight-reference: the truth of a scene under its environment and its lights, ray traced.
 #include "ImageFile.h"
 #include "Numbers.h"
 #include "PluginPath.h"
@@ -178,7 +178,7 @@ int main(int argc, char** argv)
         "The picture that an exact renderer would make of the scene: ray traced, unbiased, with its own uncertainty.");
     a.scene.addTo(line);
     line.add("--paths", a.paths,
-             "unoccluded: environment and area lights unhindered; direct (default): stopped by the scene; full: from surface to "
+             "unoccluded: environment and lights unhindered; direct (default): stopped by the scene; full: from surface to "
              "surface")
         .oneOf(pathNames);
     line.add("--term", a.term,

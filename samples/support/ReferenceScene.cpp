@@ -59,6 +59,7 @@ ReferenceScene::ReferenceScene(osgEnvLight::LitScene& lit, const SceneOptions& o
     reading.linearColors = settings.materialColors == osgEnvLight::Settings::COLORS_LINEAR;
     if (!reading.linearColors && settings.output == osgEnvLight::Settings::DISPLAY)
         reading.emissionScale = std::exp2(-baseStops(lit));
+    reading.sceneLights = settings.sceneLights != osgEnvLight::Settings::SCENE_LIGHTS_OFF;
     if (settings.emissiveMeshes) reading.leastLamp = radianceOf(lit)->mean * lit.getEnvironmentMap()->getIntensity();
     _triangles = osgEnvLight::flattenScene(lit, camera, frame, reading);
     _rays = std::make_unique<osgEnvLight::RayScene>(_triangles);
@@ -79,6 +80,7 @@ void ReferenceScene::keepSuns()
     const osgEnvLight::SunSplit split = osgEnvLight::splitSuns(*radianceOf(_lit), maximumSuns);
     _environment = std::make_unique<osgEnvLight::SunEnvironment>(split.suns, map.getRotation(), map.getIntensity());
     _triangles.emitters.clear();
+    _triangles.pointLights.clear();
     makeReference();
 }
 

@@ -17,6 +17,7 @@ inline osgEnvLight::ReferenceResult tracedView(osgEnvLight::LitScene& lit, Scene
     const osg::ref_ptr<const osgEnvLight::RadianceMap> map = lit.getEnvironmentMap()->radiance(error);
     osgEnvLight::SceneReading reading;
     reading.linearColors = lit.getSettings()->materialColors == osgEnvLight::Settings::COLORS_LINEAR;
+    reading.sceneLights = lit.getSettings()->sceneLights != osgEnvLight::Settings::SCENE_LIGHTS_OFF;
     if (lit.getSettings()->emissiveMeshes) reading.leastLamp = map->mean;
     const osgEnvLight::TriangleScene triangles =
         osgEnvLight::flattenScene(lit, camera, renderer.viewer().getFrameStamp(), reading);

@@ -66,13 +66,6 @@ SceneLightList without(SceneLightList lights, const SceneLightList& others)
     return lights;
 }
 
-SceneLightList switchedOn(SceneLightList lights, unsigned modes)
-{
-    const auto off = [&](const SceneLight& l) { return !(modes >> l.number & 1); };
-    lights.erase(std::remove_if(lights.begin(), lights.end(), off), lights.end());
-    return lights;
-}
-
 }  // namespace
 
 void chooseBackground(FrameContext& c, const std::vector<ForwardGraph>& forward)

@@ -142,6 +142,13 @@ LightModes findLightModes(osgUtil::RenderBin& gbuffer, const std::vector<Forward
     return finder.found;
 }
 
+SceneLightList switchedOn(SceneLightList lights, unsigned modes)
+{
+    const auto off = [&](const SceneLight& l) { return !(modes >> l.number & 1); };
+    lights.erase(std::remove_if(lights.begin(), lights.end(), off), lights.end());
+    return lights;
+}
+
 SceneLightUniforms::SceneLightUniforms()
     : _count(new osg::Uniform("sceneLightCount", 0)),
       _color(new osg::Uniform(osg::Uniform::FLOAT_VEC3, "sceneLightColor", maximum)),

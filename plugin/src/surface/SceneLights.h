@@ -54,6 +54,9 @@ struct LightModes {
 };
 OSGENVLIGHT_EXPORT LightModes findLightModes(osgUtil::RenderBin& gbuffer, const std::vector<ForwardGraph>& forward);
 
+/** Those whose bit is set. */
+OSGENVLIGHT_EXPORT SceneLightList switchedOn(SceneLightList lights, unsigned modes);
+
 /** The uniforms of pass/scenelights.glsl. */
 class OSGENVLIGHT_EXPORT SceneLightUniforms
 {
