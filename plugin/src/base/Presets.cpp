@@ -8,7 +8,7 @@ const std::vector<Settings::Preset>& Settings::presets()
 {
     static const std::vector<Preset> all = {
         {"low",
-         "a slow machine: over half of the time is saved, the error a third greater, edges are staircases",
+         "a slow machine: about half of the time is saved, the error a third to two thirds greater, edges are staircases",
          {{"atlasLights", "64"},
           {"nearRadius", "0"},
           {"filterCells", "1"},
