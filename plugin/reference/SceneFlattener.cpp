@@ -128,13 +128,18 @@ class Flattener
         if (box.valid()) _result.origin = toGlm(box.center());
     }
 
+    osg::Matrixd sceneFromEye() const
+    {
+        return osg::Matrixd::inverse(_camera.getViewMatrix()) *
+               osg::Matrixd::translate(-_result.origin.x, -_result.origin.y, -_result.origin.z);
+    }
+
     void placeEmitters()
     {
-        const osg::Matrixd sceneFromEye = osg::Matrixd::inverse(_camera.getViewMatrix()) *
-                                          osg::Matrixd::translate(-_result.origin.x, -_result.origin.y, -_result.origin.z);
+        const osg::Matrixd toScene = sceneFromEye();
         for (const MetAreaLight& met : takeAreaLights(*_stage)) {
             Emitter emitter;
-            const std::string problem = met.emitter(sceneFromEye, emitter);
+            const std::string problem = met.emitter(toScene, emitter);
             std::vector<std::string>& said = _result.leftOut;
             if (!problem.empty() && std::find(said.begin(), said.end(), problem) == said.end()) said.push_back(problem);
             if (!problem.empty() || !(emitter.flux() > 0.0)) continue;
@@ -145,18 +150,18 @@ class Flattener
 
     void placePointLights()
     {
-        const osg::Matrixd sceneFromEye = osg::Matrixd::inverse(_camera.getViewMatrix()) *
-                                          osg::Matrixd::translate(-_result.origin.x, -_result.origin.y, -_result.origin.z);
+        const osg::Matrixd toScene = sceneFromEye();
         const auto xyz = [](const osg::Vec4f& v) { return osg::Vec3d(v[0], v[1], v[2]); };
         for (const SceneLight& light : switchedOn(findSceneLights(*_stage, nullptr, false), findLightModes(*_stage, {}).some)) {
             PointLight p;
             p.directional = light.position[3] == 0.0f;
-            p.position = toGlm(p.directional ? osg::Matrixd::transform3x3(xyz(light.position), sceneFromEye)
-                                             : xyz(light.position) * sceneFromEye);
+            p.position =
+                toGlm(p.directional ? osg::Matrixd::transform3x3(xyz(light.position), toScene) : xyz(light.position) * toScene);
             const glm::dvec3 color(light.color[0], light.color[1], light.color[2]);
-            p.radiance = _reading.linearColors ? color : glm::dvec3(glsl::typedDecode3(glsl::vec3(color))) * _reading.emissionScale;
+            p.radiance =
+                _reading.linearColors ? color : glm::dvec3(glsl::typedDecode3(glsl::vec3(color))) * _reading.emissionScale;
             p.attenuation = toGlm(xyz(light.falloff));
-            p.axis = toGlm(osg::Matrixd::transform3x3(xyz(light.spot), sceneFromEye));
+            p.axis = toGlm(osg::Matrixd::transform3x3(xyz(light.spot), toScene));
             p.cosCutoff = double(light.spot[3]);
             p.exponent = double(light.falloff[3]);
             _result.pointLights.push_back(p);

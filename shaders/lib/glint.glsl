@@ -24,7 +24,7 @@ vec2 discNode(int i)
     return i < 4 ? vec2(-n.x, n.y) : n;
 }
 
-// Node i of 3 of Gauss and Chebyshev (second kind), and its weight over sqrt(1 - x^2), to which a disc's chords are in proportion.
+// Node i of 3 of the Gauss-Chebyshev rule of the second kind, and its weight over sqrt(1 - x^2): the chords of a disc have that factor.
 vec2 smallDiscNode(int i)
 {
     return i == 1 ? vec2(0.0, 0.25 * PI) : vec2(0.7071067811865476 * float(i - 1), 0.5553603672697958);
@@ -93,7 +93,7 @@ float lobeAlong(float middle, float width)
     return width * (1.0 - y0 * y1) / ((1.0 + y0 * y0) * (1.0 + y1 * y1)) + atan(width, 1.0 + y0 * y1);
 }
 
-// Share of GGX's normals, by their density in the plane of slopes, that lies in the ellipse: closed along it, nodes across it.
+// Share of GGX's normals, by their density in the plane of slopes, that lies in the ellipse: a closed form along it, a quadrature across it.
 float ggxShareOfDisc(SlopeDisc d)
 {
     float t0 = atan(d.middle.x - d.halfWidth);

@@ -25,8 +25,8 @@ const int PROBE_DEPTH_SIDE = 12;       // of the octahedral map of what a probe 
 const int PROBE_HARMONICS = 9;         // in which a probe adds up what it sees
 const int PROBE_IRRADIANCE_SIDE = 6;   // of that of the light that it gets
 
-// Steps of 2^13 of the 16 bits that keep a mark, and a quarter of a bit: rounded or cut off it is the same, so that it can be asked for
-// alone.
+// A texture of 16 bits keeps the marks. Each mark lies a quarter of a step above a number of 16 bits. It becomes that number whether
+// OpenGL rounds it or cuts it off, so a pass can ask for one mark alone.
 const float MARK_STEP = 8192.0f / 65535.0f;
 const float MARK_COATED = 8192.25f / 65535.0f;   // a surface with a clear coat
 const float MARK_TRACED = 16384.25f / 65535.0f;  // a surface with a lobe that is narrow enough to search the picture for what it shows

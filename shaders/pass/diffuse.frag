@@ -3,10 +3,7 @@
 // D: the diffuse term without occlusion, rho/pi times the integral of L cos [seed 000, eq. 3, second term]. Alpha is the share of the
 // albedo that light from everywhere meets.
 // Radiance in units of the map's mean.
-#pragma import_defines(HAS_SUNS, HAS_SUN_SHADOWS, KEEPS_UNSHADED)
-#if defined(HAS_SUNS) && (!defined(HAS_SUN_SHADOWS) || defined(KEEPS_UNSHADED))
-#define UNSHADED_SUNS
-#endif
+#pragma import_defines(HAS_SUNS, HAS_SUN_SHADOWS, UNSHADED_SUNS)
 
 #include "lib/constants.glsl"
 #include "pass/gbuffer.glsl"
@@ -18,12 +15,12 @@
 
 layout(location = 0) out vec4 diffuse;
 // Of the suns apart: what keeps D from a surface is not what keeps them from it.
-#if defined(HAS_SUNS) && defined(HAS_SUN_SHADOWS)
+#ifdef HAS_SUN_SHADOWS
 layout(location = 1) out vec4 sunShaded;
 #ifdef UNSHADED_SUNS
 layout(location = 2) out vec4 sunDiffuse;
 #endif
-#elif defined(HAS_SUNS)
+#elif defined(UNSHADED_SUNS)
 layout(location = 1) out vec4 sunDiffuse;
 #endif
 
@@ -57,7 +54,7 @@ void main()
 #ifdef UNSHADED_SUNS
     sunDiffuse = vec4(0.0);
 #endif
-#if defined(HAS_SUNS) && defined(HAS_SUN_SHADOWS)
+#ifdef HAS_SUN_SHADOWS
     sunShaded = vec4(0.0);
 #endif
     vec3 n = pixelNormal(p);

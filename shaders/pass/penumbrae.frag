@@ -1,6 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// What each pixel sees of the suns, third part: in quads that see the same as those about them, that is it. All other pixels are marked.
+// What each pixel sees of the suns, third part. Where its quad is even [pass/sunquads.frag], a pixel keeps what it sees by its own
+// point of the disc. All other pixels are marked.
 #include "lib/limits.glsl"
 #include "pass/sunpoints.glsl"
 

@@ -51,7 +51,7 @@ uniform mat4 eyeFromPoints;
 layout(location = 0) out vec4 light;
 
 #ifdef HAS_SUN_MAPS
-// Each part asks a point of the discs that is its own.
+// Each part traces its own point of a sun's disc.
 vec3 sunLight(vec3 place, vec3 n, int part)
 {
     vec3 sum = vec3(0.0);

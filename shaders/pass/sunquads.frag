@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// What each pixel sees of the suns, second part: a texel for each 2x2 pixels, 1 if they and those of the eight quads about them see
-// all suns alike.
+// What each pixel sees of the suns, second part. Each texel stands for a quad of 2x2 pixels. It is 1 if the quad is even: its pixels
+// and those of the eight quads about it see all suns alike.
 #include "pass/sunpoints.glsl"
 
 layout(location = 0) out vec4 even;

@@ -135,8 +135,8 @@ TEST(SceneLights, ASmallSpotSendsOnItsFlux)
     EXPECT_LT(std::sqrt(squares - mean * mean), 0.12 * mean);
 }
 
-// Under a black map only lamps send light: one that shines away from all surfaces leaves the bounce dark, however much of the sky
-// they see.
+// Under a black map only lamps send light. A lamp that shines away from all surfaces leaves the bounce dark, however much of the
+// sky the surfaces see.
 TEST(SceneLights, ABlackSkySendsNothing)
 {
     SceneRenderer renderer(48, 48);

@@ -57,7 +57,7 @@ TEST(SurfacePoints, AreSpreadEvenlyOverLargeTriangles)
     for (const int count : counts) EXPECT_NEAR(64, count, 16);
 }
 
-// Of a disc as large as three points' share, what the parts in it stand for is its area: by the points 25 % are wrong, by sixteen
+// The area of a disc that is as large as three points' share, by how many of them lie in it: the points are 25 % wrong, sixteen
 // parts of each 10 %.
 TEST(SurfacePoints, PartsKnowWhatIsSmallerThanAPoint)
 {

@@ -48,7 +48,8 @@ class GlowPass : public osgEnvLight::RenderPass
     osg::ref_ptr<osg::Uniform> _glow;
 };
 
-// Draws 1 into a texture where pixels have a mark or a lower one, or only where they have that, and elsewhere what it is told.
+// Draws 1 into a texture at the pixels of a mark, and if not told otherwise at those of lower marks. The others get a given
+// value.
 class MarkedPass : public osgEnvLight::RenderPass
 {
   public:

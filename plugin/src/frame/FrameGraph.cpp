@@ -192,9 +192,8 @@ void FrameGraph::allocate(const std::vector<int>& sequence, const FrameContext& 
     std::stable_sort(spans.begin(), spans.end(), [](const Span& a, const Span& b) { return a.first < b.first; });
     for (const Span& s : spans) {
         const TextureDesc& d = s.resource->desc;
-        const int pixels = d.half ? 2 : 1;
-        const TexturePool::Size size{d.format, d.side ? d.side : (c.width() + pixels - 1) / pixels,
-                                     d.side ? d.side : (c.height() + pixels - 1) / pixels};
+        const auto texels = [&](int pixels) { return d.side ? d.side : d.half ? (pixels + 1) / 2 : pixels; };
+        const TexturePool::Size size{d.format, texels(c.width()), texels(c.height())};
         s.resource->texture = d.kept ? _pool.kept(s.resource->name, size) : _pool.transient(size, s.first, s.last);
     }
 }

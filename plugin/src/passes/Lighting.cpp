@@ -26,10 +26,10 @@ void DiffusePass::setup(PassBuilder& b, FrameContext& c)
     readSuns(b, c);
     // A picture shows only what shadows leave of them.
     const bool isShaded = readSunVisibility(b);
-    const bool isShown = !isShaded || c.settings.view != Settings::BEAUTY;
-    b.define("KEEPS_UNSHADED", isShaded && isShown);
+    const bool keepsUnshaded = !isShaded || c.settings.view != Settings::BEAUTY;
+    b.define("UNSHADED_SUNS", keepsUnshaded);
     if (isShaded) b.write(b.create("sun shaded"));
-    if (isShown) b.write(b.create("sun diffuse"));
+    if (keepsUnshaded) b.write(b.create("sun diffuse"));
 }
 
 }  // namespace osgEnvLight
