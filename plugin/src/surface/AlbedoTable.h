@@ -1,12 +1,26 @@
 /* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
 #pragma once
 
+#include "base/Limits.h"
+
 #include <osgEnvLight/Export>
 
-#include <osg/Texture2D>
+#include <array>
+#include <cstdint>
+
+#include <osg/Image>
 
 namespace osgEnvLight
 {
+
+const int albedoSide = 32;
+const int albedoBlocks = limits::ALBEDO_BLOCKS + limits::ANISOTROPY_BLOCKS;
+const double albedoUnit = 2e-5;
+
+using AlbedoTable = std::array<uint16_t, 3 * albedoBlocks * albedoSide * albedoSide>;
+
+/** What albedoTableImage() has in its red, green and blue, in multiples of albedoUnit, block after block: plugin/tables. */
+extern OSGENVLIGHT_EXPORT const AlbedoTable albedoTable;
 
 /** Directional albedo of the lobes of microfacets, of one bounce, with Schlick's Fresnel: A F0 + B in the red and green of an RGB
  * 32F texture, and in its blue what edges of metals take, over edgeLoss() (lib/fresnel.glsl); 32 x 32 over (roughness, sqrt(cos
