@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <unordered_map>
 
 namespace osgEnvLight
@@ -41,34 +40,6 @@ class VertexReader : public osg::ConstValueVisitor
     osg::Vec3d value;
 };
 
-double area(const Mesh& mesh)
-{
-    double sum = 0.0;
-    for (const Triangle& t : mesh.triangles) {
-        const osg::Vec3d a = mesh.positions[t[0]];
-        sum += ((osg::Vec3d(mesh.positions[t[1]]) - a) ^ (osg::Vec3d(mesh.positions[t[2]]) - a)).length();
-    }
-    return 0.5 * sum;
-}
-
-// at: the numbers of the vertices' places.
-bool isClosedSurface(const Mesh& mesh, const std::vector<Triangle>& triangles, const std::vector<unsigned>& at)
-{
-    std::unordered_map<uint64_t, int> edges;  // a number one way, its negative the other
-    double volume = 0.0;
-    for (const Triangle& t : triangles) {
-        const osg::Vec3d a = mesh.positions[t[0]], b = mesh.positions[t[1]], c = mesh.positions[t[2]];
-        volume += a * (b ^ c);
-        for (int k = 0; k < 3; ++k) {
-            const uint64_t from = at[t[size_t(k)]], to = at[t[size_t((k + 1) % 3)]];
-            if (from == to) continue;
-            edges[std::min(from, to) << 32 | std::max(from, to)] += from < to ? 1 : -1;
-        }
-    }
-    const auto isEven = [](const auto& edge) { return edge.second == 0; };
-    return volume > 0.0 && std::all_of(edges.begin(), edges.end(), isEven);
-}
-
 // Numbers places so that those that differ by rounding have the same number.
 class Places
 {
@@ -98,64 +69,6 @@ class Places
     std::map<std::array<int, 3>, unsigned> _numbers;
 };
 
-struct CellHash {
-    size_t operator()(const std::array<long, 3>& c) const
-    {
-        return size_t(c[0]) * 73856093u ^ size_t(c[1]) * 19349663u ^ size_t(c[2]) * 83492791u;
-    }
-};
-
-Mesh merged(const Mesh& mesh, double cell)
-{
-    Mesh result;
-    std::unordered_map<std::array<long, 3>, unsigned, CellHash> cells(mesh.positions.size());
-    std::vector<unsigned> index(mesh.positions.size());
-    std::vector<osg::Vec3d> sums;
-    std::vector<unsigned> counts;
-    std::vector<char> used(mesh.positions.size(), 0);
-    for (const Triangle& t : mesh.triangles)
-        for (unsigned v : t) used[v] = 1;
-    for (size_t i = 0; i < mesh.positions.size(); ++i) {
-        if (!used[i]) continue;
-        const osg::Vec3f& p = mesh.positions[i];
-        std::array<long, 3> key;
-        for (int k = 0; k < 3; ++k) key[size_t(k)] = std::lround(double(p.ptr()[k]) / cell);
-        const auto [found, isNew] = cells.emplace(key, unsigned(sums.size()));
-        if (isNew) {
-            sums.emplace_back();
-            counts.push_back(0);
-        }
-        index[i] = found->second;
-        sums[index[i]] += p;
-        ++counts[index[i]];
-    }
-    for (size_t i = 0; i < sums.size(); ++i) result.positions.push_back(osg::Vec3f(sums[i] / double(counts[i])));
-    for (const Triangle& t : mesh.triangles) {
-        Triangle m = {index[t[0]], index[t[1]], index[t[2]]};
-        // The least number first: alike if it is there twice, and it still faces the same way.
-        std::rotate(m.begin(), std::min_element(m.begin(), m.end()), m.end());
-        if (m[0] != m[1] && m[1] != m[2] && m[2] != m[0]) result.triangles.push_back(m);
-    }
-    std::vector<unsigned> own(result.positions.size());
-    std::iota(own.begin(), own.end(), 0u);
-    result.closed = isClosedSurface(result, result.triangles, own);  // before some of them go
-    std::sort(result.triangles.begin(), result.triangles.end());
-    result.triangles.erase(std::unique(result.triangles.begin(), result.triangles.end()), result.triangles.end());
-    return result;
-}
-
-// With the largest cells that leave its area.
-Mesh coarsened(Mesh&& mesh, double cell)
-{
-    const double least = 0.9 * area(mesh);
-    for (int halving = 0; halving < 3; ++halving, cell *= 0.5) {
-        Mesh coarse = merged(mesh, cell);
-        if (coarse.triangles.size() >= mesh.triangles.size()) break;
-        if (area(coarse) >= least) return coarse;
-    }
-    return std::move(mesh);
-}
-
 }  // namespace
 
 CasterMesh meshOf(const Caster& caster, const osg::Vec3d& origin)
@@ -183,11 +96,6 @@ CasterMesh meshOf(const Caster& caster, const osg::Vec3d& origin)
     return mesh;
 }
 
-CasterMesh coarseMesh(const Caster& caster, const osg::Vec3d& origin, double cell)
-{
-    return coarsened(meshOf(caster, origin), cell);
-}
-
 std::vector<unsigned> placesOf(const CasterMesh& mesh)
 {
     std::vector<unsigned> at;
@@ -200,10 +108,27 @@ std::vector<unsigned> placesOf(const CasterMesh& mesh)
     return at;
 }
 
+bool isClosed(const CasterMesh& mesh, const std::vector<unsigned>& at)
+{
+    std::unordered_map<uint64_t, int> edges;  // a number one way, its negative the other
+    double volume = 0.0;
+    for (const Triangle& t : mesh.triangles) {
+        const osg::Vec3d a = mesh.positions[t[0]], b = mesh.positions[t[1]], c = mesh.positions[t[2]];
+        volume += a * (b ^ c);
+        for (int k = 0; k < 3; ++k) {
+            const uint64_t from = at[t[size_t(k)]], to = at[t[size_t((k + 1) % 3)]];
+            if (from == to) continue;
+            edges[std::min(from, to) << 32 | std::max(from, to)] += from < to ? 1 : -1;
+        }
+    }
+    const auto isEven = [](const auto& edge) { return edge.second == 0; };
+    return volume > 0.0 && std::all_of(edges.begin(), edges.end(), isEven);
+}
+
 bool isClosed(const CasterMesh& mesh)
 {
     if (mesh.closed) return *mesh.closed;
-    return !mesh.positions.empty() && isClosedSurface(mesh, mesh.triangles, placesOf(mesh));
+    return !mesh.positions.empty() && isClosed(mesh, placesOf(mesh));
 }
 
 }  // namespace osgEnvLight

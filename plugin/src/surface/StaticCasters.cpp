@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "surface/StaticCasters.h"
 
+#include "surface/CoarseMesh.h"
+
 #include <algorithm>
 
 namespace osgEnvLight

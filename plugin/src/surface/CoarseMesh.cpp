@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "surface/CoarseMesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <unordered_map>
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+using Mesh = CasterMesh;
+using Triangle = std::array<unsigned, 3>;
+
+const int mostHalvings = 8;
+const double mostChange = 0.1;   // of a caster's area
+const double meanWeight = 1e-3;  // of the mean beside the planes: rounding errors stay below it
+
+osg::Vec3d normalOf(const Mesh& mesh, const Triangle& t)
+{
+    const osg::Vec3d a = mesh.positions[t[0]];
+    return (osg::Vec3d(mesh.positions[t[1]]) - a) ^ (osg::Vec3d(mesh.positions[t[2]]) - a);
+}
+
+double area(const Mesh& mesh)
+{
+    double sum = 0.0;
+    for (const Triangle& t : mesh.triangles) sum += 0.5 * normalOf(mesh, t).length();
+    return sum;
+}
+
+// The vertices of a cell, and the planes of the triangles that have a corner in it: the sum of the squares of their distances, by
+// their areas. It is a quadratic form about the mean.
+struct Cell {
+    osg::Vec3d mean;
+    double count = 0.0;
+    double xx = 0.0, yy = 0.0, zz = 0.0, xy = 0.0, xz = 0.0, yz = 0.0;
+    osg::Vec3d right;
+
+    void addPlane(const osg::Vec3d& unit, double area, const osg::Vec3d& point)
+    {
+        xx += area * unit.x() * unit.x();
+        yy += area * unit.y() * unit.y();
+        zz += area * unit.z() * unit.z();
+        xy += area * unit.x() * unit.y();
+        xz += area * unit.x() * unit.z();
+        yz += area * unit.y() * unit.z();
+        right += unit * (area * (unit * (point - mean)));
+    }
+
+    // Where the planes meet, no further than reach from the mean along each axis; the mean along directions of which they say
+    // nothing.
+    osg::Vec3d place(double reach) const
+    {
+        const double weight = meanWeight * (xx + yy + zz);
+        if (!(weight > 0.0)) return mean;
+        const osg::Vec3d a(xx + weight, xy, xz), b(xy, yy + weight, yz), c(xz, yz, zz + weight);
+        const osg::Vec3d bc = b ^ c;
+        osg::Vec3d offset = (bc * right.x() + (c ^ a) * right.y() + (a ^ b) * right.z()) / (a * bc);
+        for (int k = 0; k < 3; ++k) offset[k] = std::clamp(offset[k], -reach, reach);
+        return mean + offset;
+    }
+};
+
+struct KeyHash {
+    size_t operator()(const std::array<long, 3>& key) const
+    {
+        return size_t(key[0]) * 73856093u ^ size_t(key[1]) * 19349663u ^ size_t(key[2]) * 83492791u;
+    }
+};
+
+// The cells of a mesh, and in which one each vertex is that a triangle uses.
+struct Cells {
+    std::vector<Cell> cells;
+    std::vector<unsigned> of;
+
+    Cells(const Mesh& mesh, double size) : of(mesh.positions.size(), unset)
+    {
+        std::unordered_map<std::array<long, 3>, unsigned, KeyHash> numbers(mesh.positions.size());
+        for (const Triangle& t : mesh.triangles)
+            for (unsigned v : t) {
+                if (of[v] != unset) continue;
+                const osg::Vec3f& p = mesh.positions[v];
+                std::array<long, 3> key;
+                for (int k = 0; k < 3; ++k) key[size_t(k)] = std::lround(double(p[k]) / size);
+                of[v] = numbers.emplace(key, unsigned(cells.size())).first->second;
+                if (of[v] == cells.size()) cells.emplace_back();
+                cells[of[v]].mean += p;
+                ++cells[of[v]].count;
+            }
+        for (Cell& cell : cells) cell.mean /= cell.count;
+        for (const Triangle& t : mesh.triangles) addPlane(mesh, t);
+    }
+
+  private:
+    static const unsigned unset = ~0u;
+
+    void addPlane(const Mesh& mesh, const Triangle& t)
+    {
+        osg::Vec3d normal = normalOf(mesh, t);
+        const double twice = normal.normalize();
+        if (!(twice > 0.0)) return;
+        const unsigned a = of[t[0]], b = of[t[1]], c = of[t[2]];
+        const osg::Vec3d point = mesh.positions[t[0]];
+        cells[a].addPlane(normal, twice, point);
+        if (b != a) cells[b].addPlane(normal, twice, point);
+        if (c != a && c != b) cells[c].addPlane(normal, twice, point);
+    }
+};
+
+// A vertex for each cell; triangles may be there several times.
+Mesh merged(const Mesh& mesh, double size)
+{
+    const Cells cells(mesh, size);
+    Mesh result;
+    for (const Cell& cell : cells.cells) result.positions.push_back(osg::Vec3f(cell.place(0.5 * size)));
+    for (const Triangle& t : mesh.triangles) {
+        Triangle m = {cells.of[t[0]], cells.of[t[1]], cells.of[t[2]]};
+        // The least number first: alike if it is there twice, and it still faces the same way.
+        std::rotate(m.begin(), std::min_element(m.begin(), m.end()), m.end());
+        if (m[0] != m[1] && m[1] != m[2] && m[2] != m[0]) result.triangles.push_back(m);
+    }
+    return result;
+}
+
+void dropCopies(std::vector<Triangle>& triangles)
+{
+    std::sort(triangles.begin(), triangles.end());
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+}
+
+}  // namespace
+
+CasterMesh coarseMesh(const Caster& caster, const osg::Vec3d& origin, double cell)
+{
+    Mesh mesh = meshOf(caster, origin);
+    const double whole = area(mesh);
+    for (int halving = 0; halving < mostHalvings; ++halving, cell *= 0.5) {
+        Mesh all = merged(mesh, cell);
+        Mesh coarse = all;
+        dropCopies(coarse.triangles);
+        if (coarse.triangles.size() >= mesh.triangles.size()) break;
+        if (!(std::abs(area(coarse) - whole) <= mostChange * whole)) continue;
+        std::vector<unsigned> own(all.positions.size());
+        std::iota(own.begin(), own.end(), 0u);
+        coarse.closed = isClosed(all, own);
+        return coarse;
+    }
+    return mesh;
+}
+
+}  // namespace osgEnvLight
