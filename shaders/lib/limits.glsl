@@ -23,6 +23,7 @@ const int POINT_PART_SIDE = 4;    // parts of what a point stands for along each
 const int PROBE_FACE_SIDE = 8;         // directions along each side of a cube's face in which a probe looks
 const int PROBE_DEPTH_SIDE = 12;       // of the octahedral map of what a probe knows of distances [texels]
 const int PROBE_HARMONICS = 9;         // in which a probe adds up what it sees
+const int HARMONICS_TEXTURES = 3;      // that share them: a texel has a third of one's
 const int PROBE_IRRADIANCE_SIDE = 6;   // of that of the light that it gets
 
 // A texture of 16 bits keeps the marks. Each mark lies a quarter of a step above a number of 16 bits. It becomes that number whether

@@ -5,7 +5,9 @@
 #include "lib/octahedral.glsl"
 #include "lib/sh.glsl"
 
-uniform sampler2D probeHarmonicsMap;
+uniform sampler2D harmonicsMap0;  // as pass/probeharmonics.frag
+uniform sampler2D harmonicsMap1;
+uniform sampler2D harmonicsMap2;
 uniform ivec3 probeCount;
 uniform int probeColumns;
 
@@ -21,7 +23,11 @@ void main()
     if (probe >= probeCount.x * probeCount.y * probeCount.z) return;
     ivec2 inner = foldedTexel(p - map * tile - 1, PROBE_IRRADIANCE_SIDE);
     vec3 d = directionFromOctahedral((vec2(inner) + 0.5) / float(PROBE_IRRADIANCE_SIDE));
-    for (int i = 0; i < PROBE_HARMONICS; ++i) sent += texelFetch(probeHarmonicsMap, ivec2(i, probe), 0) * shBasis18(i, d);
+    for (int i = 0; i < PROBE_HARMONICS / HARMONICS_TEXTURES; ++i) {
+        sent += texelFetch(harmonicsMap0, ivec2(i, probe), 0) * shBasis18(3 * i, d);
+        sent += texelFetch(harmonicsMap1, ivec2(i, probe), 0) * shBasis18(3 * i + 1, d);
+        sent += texelFetch(harmonicsMap2, ivec2(i, probe), 0) * shBasis18(3 * i + 2, d);
+    }
     sent = max(sent, vec4(0.0));  // they ring
     sent.a = min(sent.a, 1.0);
 }

@@ -12,6 +12,7 @@ struct IndirectLight {
     osg::ref_ptr<TransportScene> scene;
     osg::ref_ptr<osg::Texture2D> reflectances, emissions;  // of its points; null: none emits
     TransportTargets targets;
+    double mostReflected = 1.0;  // by any surface, of what it receives
 
     bool fresh = true;          // nothing has been drawn into the targets
     unsigned turns = 0;         // frames in which points will be lit after this one

@@ -33,7 +33,7 @@ void BounceDraw::drawImplementation(osg::RenderInfo& renderInfo) const
     for (unsigned i = 0; i < _bounces; ++i) {
         drawInto(renderInfo, *_targets.radianceTarget, *_targets.pointRadiance,
                  _fresh && i == 0 ? *_states.first : *_states.points);
-        drawInto(renderInfo, *_targets.harmonicsTarget, *_targets.probeHarmonics, *_states.harmonics);
+        drawInto(renderInfo, *_targets.harmonicsTarget, *_targets.probeHarmonics[0], *_states.harmonics);
         drawInto(renderInfo, *_targets.irradianceTarget, *_targets.probeIrradiance, *_states.probes);
     }
     for (size_t i = 0; i < _states.uniforms.size(); ++i) state.popStateSet();

@@ -25,7 +25,8 @@ struct Texels {
 
     Texels(int width, int height, int count) : image(new osg::Image), channels(count)
     {
-        image->allocateImage(width, height, 1, channels == 1 ? GL_RED : channels == 2 ? GL_RG : GL_RGBA, GL_FLOAT);
+        static const GLenum formats[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
+        image->allocateImage(width, height, 1, formats[channels - 1], GL_FLOAT);
         std::fill_n(reinterpret_cast<float*>(image->data()), size_t(width) * size_t(height) * size_t(channels), 0.0f);
     }
     float* at(int x, int y) { return reinterpret_cast<float*>(image->data(unsigned(x), unsigned(y))); }
@@ -106,16 +107,18 @@ void TransportScene::writeProbes(const ProbeGrid& grid)
     probePlaces = places.texture(GL_RGBA32F_ARB);
 
     const auto& all = ProbeGrid::directions();
-    Texels links(int(all.size()), probes, 1), basis(int(all.size()), limits::PROBE_HARMONICS, 1);
+    const int perTexel = limits::HARMONICS_TEXTURES;
+    Texels links(int(all.size()), probes, 1), basis(int(all.size()), limits::PROBE_HARMONICS / perTexel, perTexel);
     for (size_t i = 0; i < grid.links.size(); ++i) *links.at(int(i)) = float(grid.links[i]);
     for (int k = 0; k < limits::PROBE_HARMONICS; ++k)
         for (size_t i = 0; i < all.size(); ++i) {
             const double band = k < 1 ? 1.0 : k < 4 ? 2.0 / 3.0 : 0.25;  // A_l / pi [Ramamoorthi, Hanrahan 2001]
             const glsl::vec3 d(all[i].to.x(), all[i].to.y(), all[i].to.z());
-            *basis.at(int(i), k) = float(4.0 * M_PI * double(all[i].share) * band * glsl::shBasis18(k, d));
+            basis.at(int(i), k / perTexel)[k % perTexel] =
+                float(4.0 * M_PI * double(all[i].share) * band * glsl::shBasis18(k, d));
         }
     probeLinks = links.texture(GL_R32F);
-    probeBasis = basis.texture(GL_R32F);
+    probeBasis = basis.texture(GL_RGB32F_ARB);
 
     const int side = limits::PROBE_DEPTH_SIDE, tile = side + 2;
     Texels depths(columns * tile, columns * tile, 2);

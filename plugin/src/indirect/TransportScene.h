@@ -36,8 +36,8 @@ class OSGENVLIGHT_EXPORT TransportScene : public osg::Referenced
     osg::ref_ptr<osg::Texture2D> probePlaces;
     // One row a probe, one texel a direction: the number of the point that is seen, or ProbeGrid::Link.
     osg::ref_ptr<osg::Texture2D> probeLinks;
-    // One row a spherical harmonic, one texel a direction: its value there, times the direction's share of the sphere and what a
-    // cosine leaves of the harmonic's band, over pi.
+    // One row for three spherical harmonics, one texel a direction: their values there, times the direction's share of the sphere
+    // and what a cosine leaves of the harmonic's band, over pi.
     osg::ref_ptr<osg::Texture2D> probeBasis;
     // columns x columns octahedral maps, each with a border of one texel: distance and its square.
     osg::ref_ptr<osg::Texture2D> probeDepths;

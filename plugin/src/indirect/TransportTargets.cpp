@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "indirect/TransportTargets.h"
 
-#include "base/Limits.h"
 #include "gl/RetiredObjects.h"
 #include "gl/TargetTexture.h"
 
@@ -13,13 +12,17 @@ TransportTargets::TransportTargets(int columnCount, int probeCount)
       probes(probeCount),
       pointLight(targetTexture(limits::POINT_SIDE, limits::POINT_SIDE, GL_RGBA32F_ARB)),
       pointRadiance(targetTexture(limits::POINT_SIDE, limits::POINT_SIDE, GL_RGBA32F_ARB)),
-      probeHarmonics(targetTexture(limits::PROBE_HARMONICS, probes, GL_RGBA32F_ARB)),
       probeIrradiance(targetTexture(columns * (limits::PROBE_IRRADIANCE_SIDE + 2), columns * (limits::PROBE_IRRADIANCE_SIDE + 2),
                                     GL_RGBA32F_ARB)),
       radianceTarget(frameBufferOf(pointRadiance)),
-      harmonicsTarget(frameBufferOf(probeHarmonics)),
+      harmonicsTarget(new osg::FrameBufferObject),
       irradianceTarget(frameBufferOf(probeIrradiance))
 {
+    for (size_t i = 0; i < probeHarmonics.size(); ++i) {
+        probeHarmonics[i] = targetTexture(limits::PROBE_HARMONICS / limits::HARMONICS_TEXTURES, probes, GL_RGBA32F_ARB);
+        harmonicsTarget->setAttachment(osg::Camera::BufferComponent(osg::Camera::COLOR_BUFFER0 + i),
+                                       osg::FrameBufferAttachment(probeHarmonics[i]));
+    }
     probeIrradiance->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR);
     probeIrradiance->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
 }

@@ -1,11 +1,14 @@
 /* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
 #pragma once
 
+#include "base/Limits.h"
+
 #include <osgEnvLight/Export>
 
 #include <osg/FrameBufferObject>
 #include <osg/Texture2D>
 
+#include <array>
 #include <vector>
 
 namespace osgEnvLight
@@ -19,15 +22,16 @@ struct OSGENVLIGHT_EXPORT TransportTargets {
 
     int columns = 0;
     int probes = 0;
-    osg::ref_ptr<osg::Texture2D> pointLight;       // as pass/points.frag
-    osg::ref_ptr<osg::Texture2D> pointRadiance;    // as pass/pointradiance.frag
-    osg::ref_ptr<osg::Texture2D> probeHarmonics;   // as pass/probeharmonics.frag
-    osg::ref_ptr<osg::Texture2D> probeIrradiance;  // as pass/probes.frag
+    osg::ref_ptr<osg::Texture2D> pointLight;                                              // as pass/points.frag
+    osg::ref_ptr<osg::Texture2D> pointRadiance;                                           // as pass/pointradiance.frag
+    std::array<osg::ref_ptr<osg::Texture2D>, limits::HARMONICS_TEXTURES> probeHarmonics;  // as pass/probeharmonics.frag
+    osg::ref_ptr<osg::Texture2D> probeIrradiance;                                         // as pass/probes.frag
     osg::ref_ptr<osg::FrameBufferObject> radianceTarget, harmonicsTarget, irradianceTarget;
 
     std::vector<osg::Texture2D*> textures() const
     {
-        return {pointLight.get(), pointRadiance.get(), probeHarmonics.get(), probeIrradiance.get()};
+        return {pointLight.get(),        pointRadiance.get(),     probeHarmonics[0].get(),
+                probeHarmonics[1].get(), probeHarmonics[2].get(), probeIrradiance.get()};
     }
     std::vector<osg::FrameBufferObject*> frameBuffers() const
     {

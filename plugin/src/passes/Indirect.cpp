@@ -9,6 +9,7 @@
 #include <osg/Depth>
 
 #include <algorithm>
+#include <cmath>
 
 namespace osgEnvLight
 {
@@ -16,10 +17,27 @@ namespace osgEnvLight
 namespace
 {
 
-const unsigned bouncesAfterChange = 64;  // in a closed room of albedo .9 a thousandth of the light is left out
+const unsigned mostBounces = 64;  // after a change: in a closed room of albedo .9 they leave out a thousandth of the light
+const double leftOut = 1e-3;      // where less is reflected, fewer leave out no more
 const unsigned bouncesPerFrame = 4;
 const unsigned lightTurns = 8;        // frames in which all points are lit, while light changes steadily
 const double shareStep = 1.0 / 16.0;  // by which the probes' answer takes the place of the mean in a frame
+
+double mostReflectedBy(const StaticCasters::Parts& parts)
+{
+    float most = 0.0f;
+    for (const StaticCasters::Part& part : parts)
+        for (int k = 0; k < 3; ++k) most = std::max(most, part.sent.reflectance[k]);
+    return most;
+}
+
+// A bounce is no more than that share of the one before it.
+unsigned bouncesAfterChange(double mostReflected)
+{
+    if (!(mostReflected > 0.0)) return 1;
+    if (mostReflected >= 1.0) return mostBounces;
+    return unsigned(std::clamp(std::ceil(std::log(leftOut) / std::log(mostReflected)), 1.0, double(mostBounces)));
+}
 
 Requirement requireProbes(const FrameContext& c)
 {
@@ -95,6 +113,7 @@ void LinksPass::showSurfaces(const StaticCasters::Parts& parts)
 {
     _light.reflectances = _light.scene->reflectances(parts);
     _light.emissions = _light.scene->emissions(parts);
+    _light.mostReflected = mostReflectedBy(parts);
 }
 
 void LinksPass::retireTargets()
@@ -192,7 +211,7 @@ void PointsPass::update(FrameContext& c)
     _key = key;
     if (changed) {
         light.turns = atOnce ? 1 : lightTurns;
-        light.laterBounces = bouncesAfterChange;
+        light.laterBounces = bouncesAfterChange(light.mostReflected);
     }
     light.rows = light.turns > 0 ? (atOnce ? 1 : lightTurns) : 0;
     if (light.turns > 0) --light.turns;
@@ -302,7 +321,9 @@ BounceDraw::States BouncesPass::statesOf(PassBuilder& b, FrameContext& c) const
                              {{"probeLinkMap", scene.probeLinks},
                               {"probeBasisMap", scene.probeBasis},
                               {"pointRadianceMap", light.targets.pointRadiance}});
-    states.probes = state("pass/probes.frag", {}, {{"probeHarmonicsMap", light.targets.probeHarmonics}});
+    const auto& harmonics = light.targets.probeHarmonics;
+    states.probes = state("pass/probes.frag", {},
+                          {{"harmonicsMap0", harmonics[0]}, {"harmonicsMap1", harmonics[1]}, {"harmonicsMap2", harmonics[2]}});
     return states;
 }
 
