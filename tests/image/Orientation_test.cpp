@@ -61,23 +61,29 @@ TEST(Orientation, BackgroundMirrorAndLightAgree)
 {
     SceneRenderer renderer(33, 33);
     for (double rotation : {0.0, 90.0}) {
+        osg::ref_ptr<LitScene> lit = makeLit(handMade().get());
+        lit->getEnvironmentMap()->setRotation(rotation);
+        lit->addChild(makeSphere(osg::Vec3d(), 1.0));
+        osg::StateSet& material = *lit->getChild(0)->getOrCreateStateSet();
+        const auto seen = [&](const osg::Vec3d& eye, const osg::Vec3d& target, const osg::Vec3d& up) {
+            renderer.lookAt(eye, target, up, 10.0);
+            return renderer.render(lit).color(16, 16);
+        };
+        // Turning the map counter-clockwise brings what lay towards d to the direction turned with it.
+        const auto turned = [&](const osg::Vec3d& axis) {
+            return osg::Quat(osg::DegreesToRadians(rotation), osg::Vec3d(0, 0, 1)) * axis;
+        };
+        Material::setCookTorrance(material, osg::Vec3f(1, 1, 1), 1.0f, 0.0f);
         for (const osg::Vec3d& axis : axes) {
-            const osg::Vec3d expected = sixDirectionColor(axis);
-            // Turning the map counter-clockwise brings what lay towards d to the direction turned with it.
-            const osg::Vec3d d = osg::Quat(osg::DegreesToRadians(rotation), osg::Vec3d(0, 0, 1)) * axis;
-            osg::ref_ptr<LitScene> lit = makeLit(handMade().get());
-            lit->getEnvironmentMap()->setRotation(rotation);
-            lit->addChild(makeSphere(osg::Vec3d(), 1.0));
-            Material::setCookTorrance(*lit->getChild(0)->getOrCreateStateSet(), osg::Vec3f(1, 1, 1), 1.0f, 0.0f);
-
-            renderer.lookAt(d * 10.0, d * 20.0, upFor(d), 10.0);  // away from the sphere
-            expectColor(renderer.render(lit).color(16, 16), expected, "background", d);
-
-            renderer.lookAt(d * 4.0, osg::Vec3d(), upFor(d), 10.0);  // head-on: the mirror shows what lies behind the eye
-            expectColor(renderer.render(lit).color(16, 16), expected, "mirror", d);
-
-            Material::setLambert(*lit->getChild(0)->getOrCreateStateSet(), osg::Vec3f(1, 1, 1));
-            const osg::Vec3d shade = renderer.render(lit).color(16, 16);
+            const osg::Vec3d d = turned(axis);
+            expectColor(seen(d * 10.0, d * 20.0, upFor(d)), sixDirectionColor(axis), "background", d);  // away from the sphere
+            // Head-on the mirror shows what lies behind the eye.
+            expectColor(seen(d * 4.0, osg::Vec3d(), upFor(d)), sixDirectionColor(axis), "mirror", d);
+        }
+        Material::setLambert(material, osg::Vec3f(1, 1, 1));
+        for (const osg::Vec3d& axis : axes) {
+            const osg::Vec3d d = turned(axis), expected = sixDirectionColor(axis);
+            const osg::Vec3d shade = seen(d * 4.0, osg::Vec3d(), upFor(d));
             for (int k = 0; k < 3; ++k)
                 for (int j = 0; j < 3; ++j) {
                     if (expected[k] <= expected[j]) continue;
