@@ -21,7 +21,11 @@ namespace
 
 struct Probed {
     explicit Probed(const TracedScene& of, int most = 4)
-        : scene(of), bvh(scene), points(placeSurfacePoints(scene, 4096)), grid(scene, bvh, points, most)
+        : scene(of),
+          bvh(scene),
+          points(placeSurfacePoints(scene, 4096)),
+          nearest(points, scene, bvh),
+          grid(scene, bvh, nearest, most)
     {
     }
     double shareOf(size_t probe, int link) const
@@ -35,6 +39,7 @@ struct Probed {
     TracedScene scene;
     CasterBvh bvh;
     std::vector<SurfacePoint> points;
+    NearestPoint nearest;
     ProbeGrid grid;
 };
 
@@ -163,8 +168,9 @@ TEST(ProbeGrid, StopsWhenItIsNoLongerWanted)
     const TracedScene room = makeRoom();
     const CasterBvh bvh(room);
     const std::vector<SurfacePoint> points = placeSurfacePoints(room, 100);
+    const NearestPoint nearest(points, room, bvh);
     const std::atomic<bool> stop{true};
-    EXPECT_EQ(0u, ProbeGrid(room, bvh, points, 8, &stop).probes());
+    EXPECT_EQ(0u, ProbeGrid(room, bvh, nearest, 8, &stop).probes());
 }
 
 }  // namespace ProbeGrid_test

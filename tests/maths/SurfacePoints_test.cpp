@@ -65,9 +65,10 @@ TEST(SurfacePoints, PartsKnowWhatIsSmallerThanAPoint)
     addQuad(scene, addSurface(scene, true), osg::Vec3f(), osg::Vec3f(1, 0, 0), osg::Vec3f(0, 1, 0));
     const size_t count = 1024, parts = 16;
     const std::vector<SurfacePoint> points = placeSurfacePoints(scene, count);
-    const std::vector<osgEnvLight::SurfacePart> all = osgEnvLight::placeSurfaceParts(scene, points, parts);
+    const CasterBvh bvh(scene);
+    const NearestPoint nearest(points, scene, bvh);
+    const std::vector<osgEnvLight::SurfacePart> all = osgEnvLight::placeSurfaceParts(scene, points, nearest, parts);
     ASSERT_EQ(count * parts, all.size());
-    const NearestPoint nearest(points);
     for (size_t i = 0; i < all.size(); i += 7) EXPECT_EQ(i / parts, nearest.find(all[i].position, all[i].normal, 0)) << i;
 
     const double radius = std::sqrt(3.0 / (double(count) * M_PI));
@@ -112,7 +113,8 @@ TEST(NearestPoint, IsTheNearest)
     TracedScene scene;
     addSphere(scene, addSurface(scene, true), osg::Vec3f(1, 2, 3), 2.0f, 24);
     const std::vector<SurfacePoint> points = placeSurfacePoints(scene, 1000);
-    const NearestPoint nearest(points);
+    const CasterBvh bvh(scene);
+    const NearestPoint nearest(points, scene, bvh);
     for (size_t triangle = 0; triangle < scene.triangles.size(); triangle += 7) {
         const osg::Vec3f place = (scene.corner(triangle, 0) + scene.corner(triangle, 1) + scene.corner(triangle, 2)) / 3.0f;
         osg::Vec3f normal = scene.normal(triangle);
@@ -132,7 +134,8 @@ TEST(NearestPoint, KeepsSurfacesApart)
     addQuad(scene, wall, osg::Vec3f(-2, -2, 0), osg::Vec3f(4, 0, 0), osg::Vec3f(0, 4, 0));
     addQuad(scene, lamp, osg::Vec3f(-0.5f, -0.5f, 0.02f), osg::Vec3f(1, 0, 0), osg::Vec3f(0, 1, 0));
     const std::vector<SurfacePoint> points = placeSurfacePoints(scene, 200);
-    const NearestPoint nearest(points);
+    const CasterBvh bvh(scene);
+    const NearestPoint nearest(points, scene, bvh);
     for (float x = -0.4f; x < 0.5f; x += 0.1f)
         for (const float side : {1.0f, -1.0f}) {
             const SurfacePoint& p = points[nearest.find(osg::Vec3f(x, 0.1f, 0), osg::Vec3f(0, 0, side), wall)];
@@ -141,6 +144,35 @@ TEST(NearestPoint, KeepsSurfacesApart)
         }
     EXPECT_EQ(lamp, points[nearest.find(osg::Vec3f(0, 0, 0.02f), osg::Vec3f(0, 0, 1), lamp)].surface);
     EXPECT_LT(nearest.find(osg::Vec3f(1e6f, -1e6f, 0), osg::Vec3f(0, 0, 1), wall), points.size());
+}
+
+// Two rooms that a wall divides have one floor, whose points lie farther apart than the wall is thick.
+TEST(NearestPoint, StaysInItsRoom)
+{
+    TracedScene scene;
+    const unsigned floor = addSurface(scene, true), wall = addSurface(scene, true);
+    addQuad(scene, floor, osg::Vec3f(-2, -2, 0), osg::Vec3f(4, 0, 0), osg::Vec3f(0, 4, 0));
+    addBox(scene, wall, osg::Vec3f(-0.05f, -2, 0), osg::Vec3f(0.05f, 2, 2));
+    const std::vector<SurfacePoint> points = placeSurfacePoints(scene, 300);
+    const CasterBvh bvh(scene);
+    const NearestPoint nearest(points, scene, bvh);
+    int across = 0;
+    for (float y = -1.9f; y < 1.9f; y += 0.05f)
+        for (const float x : {-0.06f, 0.06f}) {
+            const osg::Vec3f place(x, y, 0), up(0, 0, 1);
+            const SurfacePoint& p = points[nearest.find(place, up, floor)];
+            EXPECT_EQ(floor, p.surface);
+            EXPECT_GT(p.position.x() * x, 0.0f) << y;
+            float least = 1e9f;
+            bool other = false;
+            for (const SurfacePoint& q : points)
+                if (q.surface == floor && (q.position - place).length() < least) {
+                    least = (q.position - place).length();
+                    other = q.position.x() * x < 0.0f;
+                }
+            across += other;
+        }
+    EXPECT_GT(across, 10) << "without the wall these would be of the other room";
 }
 
 }  // namespace SurfacePoints_test

@@ -166,11 +166,11 @@ void CasterBvh::meet(const Node& leaf, const osg::Vec3f& origin, const osg::Vec3
     }
 }
 
-std::optional<CasterBvh::Hit> CasterBvh::nearest(const osg::Vec3f& origin, const osg::Vec3f& direction) const
+std::optional<CasterBvh::Hit> CasterBvh::nearest(const osg::Vec3f& origin, const osg::Vec3f& direction, float within) const
 {
-    Hit hit{nowhere, 0, false};
+    Hit hit{within, 0, false};
     const osg::Vec3f inverse(inverseOf(direction.x()), inverseOf(direction.y()), inverseOf(direction.z()));
-    if (_nodes.empty() || entry(_nodes[0].box, origin, inverse, nowhere) == nowhere) return std::nullopt;
+    if (_nodes.empty() || entry(_nodes[0].box, origin, inverse, within) == nowhere) return std::nullopt;
     uint32_t waiting[deepest];
     int count = 0;
     uint32_t current = 0;
@@ -195,7 +195,7 @@ std::optional<CasterBvh::Hit> CasterBvh::nearest(const osg::Vec3f& origin, const
         if (count == 0) break;
         current = waiting[--count];
     }
-    if (hit.distance == nowhere) return std::nullopt;
+    if (hit.distance == within) return std::nullopt;
     return hit;
 }
 

@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 namespace osgEnvLight
@@ -28,8 +29,10 @@ class OSGENVLIGHT_EXPORT CasterBvh
     };
 
     /** The nearest triangle on a ray.
-     * @param direction  of unit length, or distances are in its length */
-    std::optional<Hit> nearest(const osg::Vec3f& origin, const osg::Vec3f& direction) const;
+     * @param direction  of unit length, or distances are in its length
+     * @param within     what lies farther away is not met */
+    std::optional<Hit> nearest(const osg::Vec3f& origin, const osg::Vec3f& direction,
+                               float within = std::numeric_limits<float>::max()) const;
 
     size_t nodes() const { return _nodes.size(); }
 

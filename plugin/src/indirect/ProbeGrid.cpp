@@ -151,11 +151,10 @@ const std::vector<ProbeGrid::Direction>& ProbeGrid::directions()
     return all;
 }
 
-ProbeGrid::ProbeGrid(const TracedScene& scene, const CasterBvh& bvh, const std::vector<SurfacePoint>& points, int most,
+ProbeGrid::ProbeGrid(const TracedScene& scene, const CasterBvh& bvh, const NearestPoint& nearest, int most,
                      const std::atomic<bool>* stop)
     : planes(planesFor(scene, most))
 {
-    const NearestPoint nearest(points);
     std::array<int, 3> at{};
     for (at[2] = 0; at[2] < int(planes[2].size()); ++at[2])
         for (at[1] = 0; at[1] < int(planes[1].size()); ++at[1])

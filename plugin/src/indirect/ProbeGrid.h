@@ -17,10 +17,10 @@ struct OSGENVLIGHT_EXPORT ProbeGrid {
     /** What a probe sees in a direction, where that is no point. */
     enum Link : int { SKY = -1, BACK = -2 };
 
-    /** @param points  of the scene, not none
-     * @param most    probes along the longer sides of the grid's box; half of these along the shortest
-     * @param stop    set by another thread: the rest stays empty */
-    ProbeGrid(const TracedScene& scene, const CasterBvh& bvh, const std::vector<SurfacePoint>& points, int most,
+    /** @param nearest  of points of the scene, not none
+     * @param most     probes along the longer sides of the grid's box; half of these along the shortest
+     * @param stop     set by another thread: the rest stays empty */
+    ProbeGrid(const TracedScene& scene, const CasterBvh& bvh, const NearestPoint& nearest, int most,
               const std::atomic<bool>* stop = nullptr);
 
     /** The directions of all probes, texels of six faces of a cube, and their share of the sphere. */

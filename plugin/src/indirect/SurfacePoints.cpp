@@ -93,9 +93,9 @@ std::vector<SurfacePoint> placeSurfacePoints(const TracedScene& scene, unsigned 
     return points;
 }
 
-std::vector<SurfacePart> placeSurfaceParts(const TracedScene& scene, const std::vector<SurfacePoint>& points, unsigned parts)
+std::vector<SurfacePart> placeSurfaceParts(const TracedScene& scene, const std::vector<SurfacePoint>& points,
+                                           const NearestPoint& nearest, unsigned parts)
 {
-    const NearestPoint nearest(points);
     std::vector<std::vector<SurfacePart>> about(points.size());
     if (!points.empty())
         for (const SurfacePoint& p : placeSurfacePoints(scene, unsigned(points.size()) * parts))
@@ -109,7 +109,8 @@ std::vector<SurfacePart> placeSurfaceParts(const TracedScene& scene, const std::
     return result;
 }
 
-NearestPoint::NearestPoint(const std::vector<SurfacePoint>& points) : _points(points)
+NearestPoint::NearestPoint(const std::vector<SurfacePoint>& points, const TracedScene& scene, const CasterBvh& bvh)
+    : _points(points), _scene(scene), _bvh(bvh)
 {
     osg::BoundingBoxf box;
     for (const SurfacePoint& p : points) box.expandBy(p.position);
@@ -137,9 +138,29 @@ int NearestPoint::cellAlong(int axis, float position) const
 
 unsigned NearestPoint::find(const osg::Vec3f& position, const osg::Vec3f& normal, unsigned surface) const
 {
+    const unsigned nearest = find(position, normal, surface, nullptr);
+    if (nearest == none) return 0;  // too far away for a number
+    if (sees(position, normal, _points[nearest])) return nearest;
+    const unsigned seen = find(position, normal, surface, [&](const SurfacePoint& p) { return sees(position, normal, p); });
+    return seen == none ? nearest : seen;
+}
+
+// From above the one to above the other, as far as on a surface that bends a little between them.
+bool NearestPoint::sees(const osg::Vec3f& position, const osg::Vec3f& normal, const SurfacePoint& point) const
+{
+    const float lift = 0.25f * (point.position - position).length();
+    if (!(lift > 0.0f)) return true;
+    const osg::Vec3f from = position + normal * lift, to = point.position + point.normal * lift;
+    const std::optional<CasterBvh::Hit> hit = _bvh.nearest(from, to - from, 1.0f);
+    return !hit || _scene.surfaces[_scene.surfaceOf[hit->triangle]].opacity < 1.0f;
+}
+
+// Of those that are accepted; nullptr accepts all.
+unsigned NearestPoint::find(const osg::Vec3f& position, const osg::Vec3f& normal, unsigned surface, const Accept& accept) const
+{
     const int x = cellAlong(0, position.x()), y = cellAlong(1, position.y()), z = cellAlong(2, position.z());
     float least = std::numeric_limits<float>::max();
-    unsigned found = 0;
+    unsigned found = none;
     for (int ring = 0; ring < std::max({_cells[0], _cells[1], _cells[2]}); ++ring) {
         for (int k = std::max(z - ring, 0); k <= std::min(z + ring, _cells[2] - 1); ++k)
             for (int j = std::max(y - ring, 0); j <= std::min(y + ring, _cells[1] - 1); ++j)
@@ -150,7 +171,7 @@ unsigned NearestPoint::find(const osg::Vec3f& position, const osg::Vec3f& normal
                         float far = (p.position - position).length2();
                         if (p.normal * normal < 0.5f) far = 16.0f * far + _penalty;
                         if (p.surface != surface) far = 16.0f * far + _penalty;
-                        if (far < least) std::tie(least, found) = std::make_tuple(far, _order[n]);
+                        if (far < least && (!accept || accept(p))) std::tie(least, found) = std::make_tuple(far, _order[n]);
                     }
                 }
         if (least <= float(ring) * _width * float(ring) * _width) break;  // what is left lies farther away

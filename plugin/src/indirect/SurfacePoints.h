@@ -1,7 +1,9 @@
 /* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
 #pragma once
 
-#include "indirect/TracedScene.h"
+#include "indirect/CasterBvh.h"
+
+#include <functional>
 
 namespace osgEnvLight
 {
@@ -18,6 +20,38 @@ struct SurfacePoint {
  * there is no area.*/
 OSGENVLIGHT_EXPORT std::vector<SurfacePoint> placeSurfacePoints(const TracedScene& scene, unsigned count);
 
+/** Finds the point that stands for a place on a surface. */
+class OSGENVLIGHT_EXPORT NearestPoint
+{
+  public:
+    /** All of them outlive this. */
+    NearestPoint(const std::vector<SurfacePoint>& points, const TracedScene& scene, const CasterBvh& bvh);
+
+    /** The number of the nearest point that no wall hides, or of the nearest if all are hidden: light must not pass from room to
+     * room along their floor. One of another surface, or whose normal is over 60 degrees away, counts as four times as far and
+     * more: a lamp in front of a wall is not the wall.
+     * @param normal  of unit length */
+    unsigned find(const osg::Vec3f& position, const osg::Vec3f& normal, unsigned surface) const;
+
+  private:
+    using Accept = std::function<bool(const SurfacePoint&)>;
+    static const unsigned none = ~0u;
+    unsigned find(const osg::Vec3f& position, const osg::Vec3f& normal, unsigned surface, const Accept& accept) const;
+    bool sees(const osg::Vec3f& position, const osg::Vec3f& normal, const SurfacePoint& point) const;
+    int cellAlong(int axis, float position) const;
+    unsigned cell(int x, int y, int z) const { return unsigned((z * _cells[1] + y) * _cells[0] + x); }
+
+    const std::vector<SurfacePoint>& _points;
+    const TracedScene& _scene;
+    const CasterBvh& _bvh;
+    osg::Vec3f _low;
+    float _width = 0.0f;          // of a cell
+    std::array<int, 3> _cells{};  // along each axis
+    float _penalty = 0.0f;
+    std::vector<unsigned> _starts;  // of each cell, in _order
+    std::vector<unsigned> _order;   // numbers of points, by cells
+};
+
 /** A place on what a point stands for. */
 struct SurfacePart {
     osg::Vec3f position;
@@ -27,30 +61,6 @@ struct SurfacePart {
 /** So many places for each point, one point's after the other's, spread evenly over the surface that is nearest to it: what
  * lights only a part of that, as a narrow spot does, lights a share of them [indirect2.md 5, sub-points].*/
 OSGENVLIGHT_EXPORT std::vector<SurfacePart> placeSurfaceParts(const TracedScene& scene, const std::vector<SurfacePoint>& points,
-                                                              unsigned parts);
-
-/** Finds the point that stands for a place on a surface. */
-class OSGENVLIGHT_EXPORT NearestPoint
-{
-  public:
-    explicit NearestPoint(const std::vector<SurfacePoint>& points);
-
-    /** The number of the nearest point. One of another surface, or whose normal is over 60 degrees away, counts as four times as
-     * far and more: a lamp in front of a wall is not the wall.
-     * @param normal  of unit length */
-    unsigned find(const osg::Vec3f& position, const osg::Vec3f& normal, unsigned surface) const;
-
-  private:
-    int cellAlong(int axis, float position) const;
-    unsigned cell(int x, int y, int z) const { return unsigned((z * _cells[1] + y) * _cells[0] + x); }
-
-    const std::vector<SurfacePoint>& _points;
-    osg::Vec3f _low;
-    float _width = 0.0f;          // of a cell
-    std::array<int, 3> _cells{};  // along each axis
-    float _penalty = 0.0f;
-    std::vector<unsigned> _starts;  // of each cell, in _order
-    std::vector<unsigned> _order;   // numbers of points, by cells
-};
+                                                              const NearestPoint& nearest, unsigned parts);
 
 }  // namespace osgEnvLight

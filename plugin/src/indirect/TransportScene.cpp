@@ -54,9 +54,10 @@ TransportScene::TransportScene(const TracedScene& scene, const osg::Vec3d& place
     const std::vector<SurfacePoint> points = placeSurfacePoints(scene, unsigned(pointSide * pointSide));
     if (points.empty()) return;
     const CasterBvh bvh(scene, stop);
-    const ProbeGrid grid(scene, bvh, points, most, stop);
+    const NearestPoint nearest(points, scene, bvh);
+    const ProbeGrid grid(scene, bvh, nearest, most, stop);
     if (stop && *stop) return;
-    writeParts(placeSurfaceParts(scene, points, unsigned(partSide * partSide)));
+    writeParts(placeSurfaceParts(scene, points, nearest, unsigned(partSide * partSide)));
     writePoints(points);
     writeProbes(grid);
 }
