@@ -21,10 +21,10 @@ const std::vector<Settings::Preset>& Settings::presets()
         {"default", "the knee of error against time", {}},
         {"high",
          "stills and fast machines: sharper shadows, cleaner reflections",
-         {{"atlasSize", "256"}, {"specularSamples", "64"}, {"sunShadowSize", "2048"}, {"bounceProbes", "12"}}},
+         {{"atlasSize", "256"}, {"specularSamples", "64"}, {"sunShadowSize", "2048"}, {"bounceProbes", "16"}}},
         {"interior",
          "rooms, into which little of the map shines: more of its lights, more probes of the light between walls",
-         {{"atlasLights", "512"}, {"atlasSize", "256"}, {"bounceProbes", "12"}}},
+         {{"atlasLights", "512"}, {"atlasSize", "256"}, {"bounceProbes", "16"}}},
     };
     return all;
 }
