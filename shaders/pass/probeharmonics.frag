@@ -1,11 +1,11 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// Each probe adds up the light of the surface points that it sees, as spherical harmonics. A cosine is folded in. One row is a probe,
-// one texel three coefficients, a target each: of radiance, and as alpha of where there is a surface.
+// Each probe projects what it sees onto spherical harmonics, convolved with a cosine. A row is a probe. A texel has three
+// coefficients, one in each target: their colour is that of radiance, their alpha that of the share that surfaces fill.
 #include "lib/limits.glsl"
 
 uniform sampler2D probeLinkMap;   // one row a probe: the number of the point that it sees in a direction; -1 the sky, -2 the inside of a body
-uniform sampler2D probeBasisMap;  // one row a texel: by what a direction counts
+uniform sampler2D probeBasisMap;  // a row for each texel of a probe: by what a direction counts for its three coefficients
 uniform sampler2D pointRadianceMap;
 
 layout(location = 0) out vec4 first;

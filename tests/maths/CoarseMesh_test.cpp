@@ -59,7 +59,7 @@ TEST(CoarseMesh, CoarseTrianglesFaceAsTheFineOnesDid)
     EXPECT_TRUE(tracedScene({{std::make_shared<CasterMesh>(mesh), {}}}).surfaces[0].closed);
 }
 
-// The vertices of a cell mean to lie below the surface; planes say where it is. At .4 radii the
+// The mean of a cell's vertices lies below a round surface; the planes of the triangles meet on it. With cells of .4 radii the
 // means leave .90 of the volume, the planes .97.
 TEST(CoarseMesh, ABallKeepsItsSize)
 {
@@ -74,7 +74,7 @@ TEST(CoarseMesh, ABallKeepsItsSize)
     }
 }
 
-// What is small beside a cell is merged in smaller ones, however small; it would be drawn in full into every map of the atlas.
+// A body that is small beside a cell is merged in smaller cells. Else every map of the atlas would draw all of its triangles.
 TEST(CoarseMesh, SmallBodiesAreCoarserToo)
 {
     TracedScene ball;

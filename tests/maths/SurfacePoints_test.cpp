@@ -57,8 +57,8 @@ TEST(SurfacePoints, AreSpreadEvenlyOverLargeTriangles)
     for (const int count : counts) EXPECT_NEAR(64, count, 16);
 }
 
-// The area of a disc that is as large as three points' share, by how many of them lie in it: the points are 25 % wrong, sixteen
-// parts of each 10 %.
+// A disc has three points' share of the area. The number of points in it measures its area with an error of 25 %, the number of
+// their parts with 10 %.
 TEST(SurfacePoints, PartsKnowWhatIsSmallerThanAPoint)
 {
     TracedScene scene;

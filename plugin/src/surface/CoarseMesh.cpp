@@ -32,8 +32,8 @@ double area(const Mesh& mesh)
     return sum;
 }
 
-// The vertices of a cell, and the planes of the triangles that have a corner in it: the sum of the squares of their distances, by
-// their areas. It is a quadratic form about the mean.
+// The mean of a cell's vertices, and the quadric of the planes of the triangles that have a corner in it: the sum of their
+// squared distances from a place about the mean, weighted by the triangles' areas [Garland and Heckbert 1997].
 struct Cell {
     osg::Vec3d mean;
     double count = 0.0;

@@ -6,10 +6,10 @@
 namespace osgEnvLight
 {
 
-/** A caster's triangles about origin, coarser where they are finer than cell [world units]. The vertices within a cell of that
- * size, or of a half, a quarter and so on of it, are merged [Rossignac and Borrel 1993] where the planes of their triangles meet
- * [Lindstrom 2000]: flat and coarse surfaces stay exact, and small round ones keep their size. The largest cells count
- * that leave a caster its area within a tenth; one that gets no fewer triangles by them, as leaves, stays as it is. */
+/** A caster's triangles about origin, coarser where they are finer than cell [world units]. All vertices
+ * within a cell of a grid become one [Rossignac and Borrel 1993], which lies where the planes of their triangles meet
+ * [Lindstrom 2000]: flat surfaces stay exact, and round ones keep their size. Cells are halved until the area is kept within
+ * a tenth. A caster that then has no fewer triangles, as leaves, stays as it is. */
 OSGENVLIGHT_EXPORT CasterMesh coarseMesh(const Caster& caster, const osg::Vec3d& origin, double cell);
 
 }  // namespace osgEnvLight
