@@ -34,7 +34,11 @@ vec2 lobeAlbedo(int brdf, float roughness, float cosV)
 // The Bsdf of a surface seen under cosV.
 Bsdf bsdfOf(int brdf, vec3 f0, float roughness, float cosV)
 {
-    return makeBsdf(brdf, f0, roughness, lobeAlbedo(brdf, roughness, cosV));
+    Bsdf b = makeBsdf(brdf, f0, roughness, lobeAlbedo(brdf, roughness, cosV));
+#if defined(HAS_PHONG) || defined(HAS_STRAUSS)
+    if (isMirrored(brdf)) b.reflected *= phongAlbedo(phongExponent(roughness), cosV);
+#endif
+    return b;
 }
 
 #ifdef HAS_EDGES

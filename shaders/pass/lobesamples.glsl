@@ -62,15 +62,6 @@ vec3 mirror(vec3 d)
     return textureLod(latlongMap, latlongFromDirection(d), 0.0).rgb;
 }
 
-#if defined(HAS_PHONG) || defined(HAS_STRAUSS)
-// What a narrow lobe about the mirror direction reflects of an even light.
-vec3 mirroredAlbedo(Bsdf b, float cosV)
-{
-    float n = phongExponent(b.roughness);
-    return bsdfMirrored(b, cosV, cosV) * ((n + 2.0) / (n + 1.0) * cosV);
-}
-#endif
-
 #ifdef PREFILTERED
 // GGX's lobes have long tails. One of another distribution is best looked up as one of GGX with this share of its alpha. A lobe about the
 // mirror direction is as wide as the lobe of normals with half of its alpha.
@@ -85,9 +76,6 @@ vec4 sampled(LobePixel l)
     vec3 d = l.mapFromLocal * dominantDirection(l.view, alpha);
     vec3 seen = pyramidLookup(prefilteredMap, pyramidSide, pyramidLastLevel, d, level);
     if (level < 0.0) seen = mix(mirror(d), seen, exp2(level));
-#if defined(HAS_PHONG) || defined(HAS_STRAUSS)
-    if (isMirrored(b.brdf)) return vec4(mirroredAlbedo(b, l.view.z) * seen, 1.0);
-#endif
     return vec4(b.reflected * seen, 1.0);
 }
 #else
@@ -198,7 +186,7 @@ vec4 sampled(LobePixel l)
     if (isMicrofacets(l.bsdf.brdf)) return isMirror ? vec4(l.bsdf.energy * bsdfFresnel(l.bsdf, l.view.z) * seen, 1.0) : microfacets(l);
 #endif
 #if defined(HAS_PHONG) || defined(HAS_STRAUSS)
-    if (isMirrored(l.bsdf.brdf)) return isMirror ? vec4(mirroredAlbedo(l.bsdf, l.view.z) * seen, 1.0) : mirrorLobe(l);
+    if (isMirrored(l.bsdf.brdf)) return isMirror ? vec4(l.bsdf.reflected * seen, 1.0) : mirrorLobe(l);
 #endif
     return vec4(0.0);
 }

@@ -170,6 +170,18 @@ TEST(parity, phongRoughness)
         [](const std::vector<vec4>& in, double) { return 1e-6 * (in[0].x + 2.0); });
 }
 
+TEST(parity, phongAlbedo)
+{
+    std::vector<Row> rows;
+    for (double n : {0.0, 1.0, 20.0, 128.0, 1e4, 1e6})
+        for (double c : {-0.1, 0.0, 0.01, 0.3, 0.9, 1.0}) rows.push_back({toFloat(vec3(n, c, 0))});
+    // What errorFunction() says of its own error, and roundings of the cosine.
+    expectParity(
+        {"lib/phong.glsl"}, "result = vec4(phongAlbedo(a.x, a.y));", rows,
+        [](auto& in) { return vec4(glsl::phongAlbedo(in[0].x, in[0].y)); },
+        [](const std::vector<vec4>&, double) { return 2e-6; });
+}
+
 TEST(parity, rayMarch)
 {
     // A floor and a wall in a 64 x 64 depth buffer; the same rays on both sides. A ray whose point falls on the border of

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "TracedView.h"
@@ -71,6 +72,31 @@ TEST(Reflections, ShowTheSceneWhereItHidesTheMap)
         EXPECT_GT(without, 0.03) << roughness << ": there is something to show";
         EXPECT_LT(with, 0.8 * without) << "roughness " << roughness << ": " << with << " of " << without;
     }
+}
+
+// Of a glowing wall, whether it is an area light or not, a mirror of Phong's shows the cosine: its lobe is not divided by that.
+TEST(Reflections, PhongsMirrorShowsTheCosineOfAWall)
+{
+    SceneRenderer renderer(64, 64);
+    for (const Material::LightMode mode : {Material::LIGHT_OFF, Material::LIGHT_ON})
+        for (const double height : {1.0, 2.0, 5.0}) {
+            const osg::ref_ptr<LitScene> lit = makeLit(constantMap(0.01).get());
+            lit->getSettings()->regeneration = Settings::IMMEDIATE;
+            lit->addChild(makeQuad(osg::Vec3d(-4, -6, 0), osg::Vec3d(8, 0, 0), osg::Vec3d(0, 6, 0)));
+            Material::setPhong(*lit->getChild(0)->getOrCreateStateSet(), osg::Vec3f(), osg::Vec3f(0.5f, 0.5f, 0.5f), 1e4f);
+            lit->addChild(makeQuad(osg::Vec3d(-4, 0, 0), osg::Vec3d(8, 0, 0), osg::Vec3d(0, 0, 6)));
+            osg::StateSet& wall = *lit->getChild(1)->getOrCreateStateSet();
+            Material::setLambert(wall, osg::Vec3f());
+            Material::setEmission(wall, osg::Vec3f(1, 1, 1));
+            Material::setLight(wall, mode);
+            renderer.lookAt(osg::Vec3d(0, -6, height), osg::Vec3d(0, -1, 0), osg::Vec3d(0, 0, 1), 30.0);
+            const Picture p = renderer.render(lit);
+            const osg::Vec2d floor = renderer.pixelOf(osg::Vec3d(0, -1, 0));
+            const osg::Vec2d lamp = renderer.pixelOf(osg::Vec3d(0, 0, 0.1));
+            const double shown = p.color(int(floor.x()), int(floor.y()))[1], sent = p.color(int(lamp.x()), int(lamp.y()))[1];
+            EXPECT_GT(sent, 0.1);
+            EXPECT_NEAR(0.5 * height / std::hypot(5.0, height), shown / sent, 0.01) << mode << " " << height;
+        }
 }
 
 // The scene's indirect light without the rays, for presets that save them. tRMSE, measured: .20 without, .072 with probes,
