@@ -6,6 +6,7 @@
 
 #include "lib/atlas.glsl"
 #include "lib/limits.glsl"
+#include "lib/octahedral.glsl"
 
 uniform sampler2D atlasMap;
 uniform sampler2D atlasLightMap; // rows 4q .. 4q + 3 of group q: texels across, texels up, height, each with its
@@ -44,6 +45,14 @@ AtlasLight atlasLight(int group, int i)
     light.index = i;
     light.group = group;
     return light;
+}
+
+// Where nearestLightMap begins to name the lights nearest to a direction.
+ivec2 nearestLightTexel(vec3 direction)
+{
+    int side = textureSize(nearestLightMap, 0).y;
+    ivec2 cell = min(ivec2(octahedralFromDirection(direction) * float(side)), side - 1);
+    return ivec2(2 * cell.x, cell.y);
 }
 
 // A point's place in a map, and by how much its plane is higher at the texel's centre.

@@ -6,7 +6,6 @@
 
 #include "lib/bsdf.glsl"
 #include "lib/limits.glsl"
-#include "lib/octahedral.glsl"
 #include "pass/lobesums.glsl"
 #include "pass/lobewidth.glsl"
 #ifdef HAS_ATLAS
@@ -67,13 +66,11 @@ void addToLobe(PixelLobe lobe, vec4 flux, vec3 direction, bool isSeen, float cou
 // group: the pixel's own, whose lights are not to be counted twice.
 PixelLobe withNearLights(PixelLobe lobe, int group)
 {
-    int side = textureSize(nearestLightMap, 0).y;
-    vec3 d = lobe.lightsFromLocal * vec3(-lobe.view.x, -lobe.view.y, lobe.view.z);
-    ivec2 cell = min(ivec2(octahedralFromDirection(d) * float(side)), side - 1);
+    ivec2 texel = nearestLightTexel(lobe.lightsFromLocal * vec3(-lobe.view.x, -lobe.view.y, lobe.view.z));
     // As many as lie in a sixteenth of the sphere.
     lobe.near = clamp(textureSize(atlasLightMap, 0).x, LEAST_NEAR_LIGHTS, NEAREST_LIGHTS);
-    lobe.nearest = texelFetch(nearestLightMap, ivec2(2 * cell.x, cell.y), 0);
-    lobe.further = texelFetch(nearestLightMap, ivec2(2 * cell.x + 1, cell.y), 0);
+    lobe.nearest = texelFetch(nearestLightMap, texel, 0);
+    lobe.further = texelFetch(nearestLightMap, texel + ivec2(1, 0), 0);
     for (int k = 0; k < lobe.near; ++k) {
         int light = nearLight(lobe, k);
         uint bit = light % LIGHT_GROUPS == group ? 1u << uint(light / LIGHT_GROUPS & 31) : 0u;

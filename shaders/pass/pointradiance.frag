@@ -3,7 +3,7 @@
 // Surface points send on a share of the light that they receive: from the map, and from each other. The probes know the latter as they
 // were a bounce ago, so each draw adds a bounce [indirect.md 4]. The light can't grow without end: of the others' light a point takes no
 // more than the share of directions in which it does not see the map.
-#pragma import_defines(HAS_EMISSION, FIRST_BOUNCE)
+#pragma import_defines(HAS_EMISSION, HAS_GLOSS, FIRST_BOUNCE)
 
 #include "pass/hostcolor.glsl"
 #ifndef FIRST_BOUNCE
@@ -13,7 +13,11 @@
 uniform sampler2D pointPlaceMap;
 uniform sampler2D pointNormalMap;
 uniform sampler2D pointLightMap;
-uniform sampler2D pointReflectanceMap;
+uniform sampler2D pointDiffuseMap;
+#ifdef HAS_GLOSS
+uniform sampler2D pointGlossyMap;
+uniform sampler2D pointMirroredMap;
+#endif
 uniform sampler2D pointEmissionMap;
 uniform float radianceScale;
 
@@ -23,12 +27,16 @@ void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
     vec4 light = texelFetch(pointLightMap, p, 0);
-    vec3 received = light.rgb;
+    vec3 fromSurfaces = vec3(0.0);
 #ifndef FIRST_BOUNCE
     vec3 n = texelFetch(pointNormalMap, p, 0).xyz;
-    received += receivedFrom(sentAbout(probesAbout(texelFetch(pointPlaceMap, p, 0).xyz, n, n), n), 1.0 - light.a);
+    fromSurfaces = receivedFrom(sentAbout(probesAbout(texelFetch(pointPlaceMap, p, 0).xyz, n, n), n), 1.0 - light.a);
 #endif
-    vec3 sent = texelFetch(pointReflectanceMap, p, 0).rgb * received;
+    vec3 sent = texelFetch(pointDiffuseMap, p, 0).rgb * (light.rgb + fromSurfaces);
+#ifdef HAS_GLOSS
+    vec4 mirrored = texelFetch(pointMirroredMap, p, 0);
+    sent += texelFetch(pointGlossyMap, p, 0).rgb * (mirrored.rgb + mirrored.a * fromSurfaces);
+#endif
 #ifdef HAS_EMISSION
     sent += texelFetch(pointEmissionMap, p, 0).rgb * ((materialColors == 0 ? exp2(emittedStops) : 1.0) / radianceScale);
 #endif

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: MIT
 // The map, the suns and lamps light the surface points [indirect2.md 6]. Each texel is a point. The colour is the irradiance over pi, in
 // units of the map's mean; alpha is the share of the map's directions that the point sees.
-#pragma import_defines(MAP_IS_BLACK, HAS_SUN_MAPS, HAS_AREA_LIGHTS, HAS_SCENE_LIGHT_MAPS)
+// Where surfaces are glossy, a second target says what a mirror at the point sends to other surfaces. Points send light evenly; of that, other
+// surfaces get the share in which they hide the map. A mirror sends light in one direction, which they hide or not. The colour is the
+// irradiance over pi whose direction they hide, divided by that share, so that they get all of it. Alpha is the factor by which the same
+// is done to the light that they send here.
+#pragma import_defines(MAP_IS_BLACK, HAS_SUN_MAPS, HAS_AREA_LIGHTS, HAS_SCENE_LIGHT_MAPS, HAS_GLOSS)
 
 #include "lib/constants.glsl"
 #include "lib/limits.glsl"
@@ -49,69 +53,109 @@ uniform mat4 eyeFromPoints;
 #endif
 
 layout(location = 0) out vec4 light;
+#ifdef HAS_GLOSS
+layout(location = 1) out vec4 mirrored;
+
+const float LEAST_HIDDEN = 0.1;  // share of directions; points that see nearly all of the map would send without end
+#endif
+
+// Irradiance over pi.
+struct PointLight {
+    vec3 received;
+    vec3 meets;  // what of it a mirror sends to other surfaces
+};
+
+// 1 if light from direction l, mirrored at the point, meets a surface, else 0: what hides the atlas light nearest to where it goes. Near the
+// horizon that may be below the surface: then it goes where it came from.
+float mirrorMeets(vec3 l, float hidden, vec3 place, vec3 n)
+{
+#ifdef HAS_GLOSS
+    vec3 d = 2.0 * dot(n, l) * n - l;
+    int number = int(texelFetch(nearestLightMap, nearestLightTexel(d), 0).x & 0xffffu);
+    AtlasLight nearest = atlasLight(number % LIGHT_GROUPS, number / LIGHT_GROUPS);
+    float c = dot(n, nearest.direction);
+    return c > 0.0 ? 1.0 - atlasSees(nearest, place + pointsInAtlas, n, c) : hidden;
+#else
+    return 0.0;
+#endif
+}
+
+void receive(vec3 e, vec3 l, vec3 place, vec3 n, inout PointLight sum)
+{
+    sum.received += e;
+    sum.meets += e * mirrorMeets(l, 0.0, place, n);
+}
 
 #ifdef HAS_SUN_MAPS
 // Each part traces its own point of a sun's disc.
-vec3 sunLight(vec3 place, vec3 n, int part)
+void receiveSuns(vec3 place, vec3 n, int part, inout PointLight sum)
 {
-    vec3 sum = vec3(0.0);
     SunPixel s = SunPixel(place + pointsInSunMaps + pointLift * n, n, -n, 0.0, 1.0, part);
     for (int i = 0; i < sunCount; ++i) {
-        float e = discIrradianceOverPi(dot(n, sunAxes[3 * i + 2]), sunRadius[i]);
-        if (e > 0.0) sum += e * sunSeen(i, s, 1).x * sunRadiance[i];
+        vec3 l = sunAxes[3 * i + 2];
+        float e = discIrradianceOverPi(dot(n, l), sunRadius[i]);
+        if (e > 0.0) receive(e * sunSeen(i, s, 1).x * sunRadiance[i], l, place, n, sum);
     }
-    return sum;
 }
 #endif
 
 #ifdef HAS_AREA_LIGHTS
 // Of all their points.
-vec3 areaLight(vec3 place, vec3 n)
+void receiveAreaLights(vec3 place, vec3 n, inout PointLight sum)
 {
     EmitterSums sums = EmitterSums(vec3(0.0), vec3(0.0), vec3(0.0));
+    PointLight seen = PointLight(vec3(0.0), vec3(0.0));
     int count = textureSize(emitterPointMap, 0).x;
     for (int i = 0; i < count; ++i) {
         EmitterPoint e = emitterPoint(i);
-        float kernel = emitterKernel(e, e.position - place - pointsInEmitterMaps, n);
-        if (kernel > 0.0) sums = withPoint(sums, kernel * e.power, emitterSees(e, place + pointsInEmitterMaps, n));
+        vec3 to = e.position - place - pointsInEmitterMaps;
+        float kernel = emitterKernel(e, to, n);
+        if (kernel <= 0.0) continue;
+        float sees = emitterSees(e, place + pointsInEmitterMaps, n);
+        sums = withPoint(sums, kernel * e.power, sees);
+        receive(abs(sees) * kernel * e.power, normalize(to), place, n, seen);
     }
-    return seenLight(sums) / radianceScale;
+    vec3 received = seenLight(sums) / radianceScale;
+    sum.received += received;
+    sum.meets += received * seen.meets / max(seen.received, vec3(1e-30));
 }
 #endif
 
 #ifdef HAS_SCENE_LIGHT_MAPS
-vec3 sceneLight(vec3 place, vec3 n)
+void receiveSceneLights(vec3 place, vec3 n, inout PointLight sum)
 {
     vec3 eye = vec3(eyeFromPoints * vec4(place, 1.0));
     vec3 eyeNormal = mat3(eyeFromPoints) * n;
-    vec3 sum = vec3(0.0);
     for (int i = 0; i < sceneLightCount; ++i) {
         vec3 direction;
         vec3 light = sceneLightAt(i, eye, direction);
         float c = dot(eyeNormal, direction);
-        if (c > 0.0) sum += c * sceneLightSeen(i, place + pointsInSceneLightMaps, n) * light;
+        if (c <= 0.0) continue;
+        vec3 e = c * sceneLightSeen(i, place + pointsInSceneLightMaps, n) / radianceScale * light;
+        receive(e, direction * mat3(eyeFromPoints), place, n, sum);
     }
-    return sum / radianceScale;
 }
 #endif
 
 #ifdef HAS_SMALL_LIGHTS
 // What casts sharp shadows, or lights less than a point stands for: the mean over its parts.
-vec3 smallLights(ivec2 p)
+void receiveSmallLights(ivec2 p, inout PointLight sum)
 {
-    vec3 sum = vec3(0.0);
-    for (int k = 0; k < POINT_PART_SIDE * POINT_PART_SIDE; ++k) {
+    const int parts = POINT_PART_SIDE * POINT_PART_SIDE;
+    PointLight all = PointLight(vec3(0.0), vec3(0.0));
+    for (int k = 0; k < parts; ++k) {
         ivec2 q = POINT_PART_SIDE * p + ivec2(k % POINT_PART_SIDE, k / POINT_PART_SIDE);
         vec3 place = texelFetch(partPlaceMap, q, 0).xyz;
         vec3 n = normalize(texelFetch(partNormalMap, q, 0).xyz);
 #ifdef HAS_SUN_MAPS
-        sum += sunLight(place, n, k);
+        receiveSuns(place, n, k, all);
 #endif
 #ifdef HAS_SCENE_LIGHT_MAPS
-        sum += sceneLight(place, n);
+        receiveSceneLights(place, n, all);
 #endif
     }
-    return sum / float(POINT_PART_SIDE * POINT_PART_SIDE);
+    sum.received += all.received / float(parts);
+    sum.meets += all.meets / float(parts);
 }
 #endif
 
@@ -121,9 +165,10 @@ void main()
     if (p.y % pointRows != pointTurn) discard;
     vec3 place = texelFetch(pointPlaceMap, p, 0).xyz;
     vec3 n = texelFetch(pointNormalMap, p, 0).xyz;
-    vec3 sum = vec3(0.0);
+    PointLight sum = PointLight(vec3(0.0), vec3(0.0));
     float seen = 0.0;
     float all = 0.0;
+    float between = 0.0;  // of what surfaces send here, what a mirror sends to others
     int perGroup = textureSize(atlasLightMap, 0).x;
     for (int group = 0; group < LIGHT_GROUPS; ++group)
         for (int i = 0; i < perGroup; ++i) {
@@ -133,16 +178,23 @@ void main()
             all += c * l.solidAngle;
             float sees = atlasSees(l, place + pointsInAtlas, n, c);
             seen += sees * c * l.solidAngle;
+            float meets = mirrorMeets(l.direction, 1.0 - sees, place, n);
+            between += meets * (1.0 - sees) * c * l.solidAngle;
 #ifndef MAP_IS_BLACK  // then the lights only say how much of the sphere is seen
-            sum += sees * c * l.flux;
+            vec3 e = sees * c * INV_PI * l.flux;
+            sum.received += e;
+            sum.meets += meets * e;
 #endif
         }
-    vec3 overPi = sum * INV_PI;
 #ifdef HAS_SMALL_LIGHTS
-    overPi += smallLights(p);
+    receiveSmallLights(p, sum);
 #endif
 #ifdef HAS_AREA_LIGHTS
-    overPi += areaLight(place, n);
+    receiveAreaLights(place, n, sum);
 #endif
-    light = vec4(overPi, all > 0.0 ? seen / all : 1.0);
+    light = vec4(sum.received, all > 0.0 ? seen / all : 1.0);
+#ifdef HAS_GLOSS
+    float hidden = 1.0 - light.a;
+    mirrored = vec4(sum.meets, between / max(all - seen, 1e-20)) / max(hidden, LEAST_HIDDEN);
+#endif
 }

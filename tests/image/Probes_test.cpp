@@ -184,6 +184,31 @@ TEST(Probes, AHollowBallAboutALampIsItsClosedForm)
     }
 }
 
+// A wall at the end of a floor of polished metal, under an even sky. The sky before the wall is what the floor shows it. Half of
+// what the floor receives comes from there, and all of that meets the wall; matt, it would send the wall half as much.
+TEST(Probes, APolishedFloorShowsTheSkyToAWall)
+{
+    SceneRenderer renderer(64, 64);
+    renderer.lookAt(osg::Vec3d(0, -6, 1.5), osg::Vec3d(0, 0, 1.5), osg::Vec3d(0, 0, 1), 14.0);
+    const osg::ref_ptr<LitScene> lit = makeProbed();
+    lit->getSettings()->view = Settings::BOUNCED;
+    lit->addChild(makeQuad(osg::Vec3d(-8, -8, 0), osg::Vec3d(16, 0, 0), osg::Vec3d(0, 8, 0)));
+    lit->addChild(makeBox(osg::Vec3d(-8, 0, -0.1), osg::Vec3d(8, 0.2, 6)));
+    Material::setCookTorrance(*lit->getChild(0)->getOrCreateStateSet(), osg::Vec3f(0.5f, 0.5f, 0.5f), 1.0f, 0.1f);
+    setAlbedo(*lit->getChild(1), 0.5f);
+    const Figures f = figuresOf(renderer.render(lit));
+    double seen = 0.0;
+    const int count = 200;
+    for (int i = 0; i < count; ++i)
+        for (int j = 0; j < count; ++j) {
+            const osg::Vec3d to(16.0 * (i + 0.5) / count - 8.0, -8.0 * (j + 0.5) / count, -1.5);
+            const double square = to.length2(), cosine = 1.5 / std::sqrt(square);
+            const double fresnel = 0.5 + 0.5 * std::pow(1.0 - cosine, 5.0);
+            seen += fresnel * -to.y() / std::sqrt(square) * cosine / (M_PI * square) * (16.0 * 8.0 / (count * count));
+        }
+    EXPECT_NEAR(1.0, f.mean / (0.5 * seen), 0.08);  // measured: .946; the wall has an end
+}
+
 // A dark room beside a lit one.
 TEST(Probes, LittleLightComesThroughWalls)
 {
@@ -263,6 +288,40 @@ TEST(Probes, FollowAColourThatChanges)
     EXPECT_LT(figuresOf(red, 1).mean, 0.25 * sent);
     EXPECT_NEAR(sent, figuresOf(green, 1).mean, 0.1 * sent);
     EXPECT_LT(figuresOf(green, 0).mean, 0.25 * sent);
+}
+
+// A floor is polished, and made matt again.
+TEST(Probes, FollowAPolishThatChanges)
+{
+    SceneRenderer renderer(64, 64);
+    renderer.lookAt(osg::Vec3d(0, -9, 4), osg::Vec3d(0, -0.5, 0.8));
+    const osg::ref_ptr<LitScene> lit = makeProbed();
+    lit->getSettings()->regeneration = Settings::BACKGROUND;
+    lit->getSettings()->view = Settings::BOUNCED;
+    lit->addChild(makeQuad(osg::Vec3d(-3, -4, 0), osg::Vec3d(6, 0, 0), osg::Vec3d(0, 4, 0)));
+    lit->addChild(makeBox(osg::Vec3d(-2, 0, -0.1), osg::Vec3d(2, 0.2, 3)));
+    setAlbedo(*lit->getChild(1), 0.8f);
+    osg::StateSet& floor = *lit->getChild(0)->getOrCreateStateSet();
+    const auto settled = [&] {
+        for (int i = 0; i < 500 && (renderer.render(lit, 4), lit->regenerating()); ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        return renderer.render(lit);
+    };
+    setAlbedo(*lit->getChild(0), 0.8f);
+    const Picture matt = settled();
+    const size_t mattBytes = lit->textureBytes();
+    Material::setPhong(floor, osg::Vec3f(), osg::Vec3f(0.8f, 0.8f, 0.8f), 1000);
+    const Picture polished = settled();
+    const size_t polishedBytes = lit->textureBytes();
+    EXPECT_GT(polishedBytes, mattBytes);
+    EXPECT_GT(largestDifference(matt, polished), 0.02);
+    const osg::ref_ptr<LitScene> fresh = makeProbed();
+    fresh->getSettings()->view = Settings::BOUNCED;
+    for (unsigned i = 0; i < 2; ++i) fresh->addChild(lit->getChild(i));
+    EXPECT_LT(largestDifference(renderer.render(fresh), polished), 0.005);
+    setAlbedo(*lit->getChild(0), 0.8f);
+    EXPECT_LT(largestDifference(matt, settled()), 0.005);
+    EXPECT_LT(lit->textureBytes(), polishedBytes);
 }
 
 // The map is turned, a body moved: after some frames the picture is that of a scene that never was another.

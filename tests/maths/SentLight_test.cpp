@@ -51,35 +51,63 @@ void expectColor(const osg::Vec3f& expected, const osg::Vec3f& c)
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(expected[k], c[k], 2e-3f) << k;
 }
 
+osg::Vec3f reflectance(const SentLight& sent)
+{
+    return sent.diffuse + sent.glossy;
+}
+
 }  // namespace
 
 TEST(SentLight, OfMaterialsIsTheirDiffuseAndSpecular)
 {
     osg::ref_ptr<osg::StateSet> s = new osg::StateSet;
     s->setAttribute(makeMaterial(osg::Vec3f(0.5f, 1, 0)));
-    expectColor(osg::Vec3f(half, 0.98f, 0), sentBy(*s).reflectance);
-    expectColor(osg::Vec3f(0.5f, 0.98f, 0), sentBy(*s, *osg::ref_ptr<osg::Geometry>(new osg::Geometry), false).reflectance);
+    expectColor(osg::Vec3f(half, 0.98f, 0), reflectance(sentBy(*s)));
+    expectColor(osg::Vec3f(0.5f, 0.98f, 0), reflectance(sentBy(*s, *osg::ref_ptr<osg::Geometry>(new osg::Geometry), false)));
     s->setAttribute(makeMaterial(osg::Vec3f(0.5f, 0, 0), osg::Vec3f(0.5f, 0, 0)));
-    expectColor(osg::Vec3f(2 * half, 0, 0), sentBy(*s).reflectance);
+    expectColor(osg::Vec3f(2 * half, 0, 0), reflectance(sentBy(*s)));
     s->setAttribute(makeMaterial(osg::Vec3f(1, 1, 0), osg::Vec3f(1, 1, 1)));
-    expectColor(osg::Vec3f(0.98f, 0.98f, 0.5f), sentBy(*s).reflectance);  // no more than it gets, in its colours
+    expectColor(osg::Vec3f(0.98f, 0.98f, 0.5f), reflectance(sentBy(*s)));  // no more than it gets, in its colours
 }
 
 TEST(SentLight, OfOurMaterialsIsThatOfBothLayers)
 {
     osg::ref_ptr<osg::StateSet> s = new osg::StateSet;
     Material::setLambert(*s, osg::Vec3f(0.1f, 0.2f, 0.3f));
-    expectColor(osg::Vec3f(0.1f, 0.2f, 0.3f), sentBy(*s).reflectance);
-    Material::setPhong(*s, osg::Vec3f(0.1f, 0.2f, 0.3f), osg::Vec3f(0.5f, 0.5f, 0.5f), 10);
-    expectColor(osg::Vec3f(0.6f, 0.7f, 0.8f), sentBy(*s).reflectance);
+    expectColor(osg::Vec3f(0.1f, 0.2f, 0.3f), reflectance(sentBy(*s)));
+    Material::setBlinnPhong(*s, osg::Vec3f(0.1f, 0.2f, 0.3f), osg::Vec3f(0.5f, 0.5f, 0.5f), 10);
+    expectColor(osg::Vec3f(0.6f, 0.7f, 0.8f), reflectance(sentBy(*s)));
     Material::setCookTorrance(*s, osg::Vec3f(0.9f, 0.6f, 0.3f), 1.0f, 0.2f);
-    expectColor(osg::Vec3f(0.9f, 0.6f, 0.3f), sentBy(*s).reflectance);
+    expectColor(osg::Vec3f(0.905f, 0.619f, 0.333f), reflectance(sentBy(*s)));
     Material::setCookTorrance(*s, osg::Vec3f(0.5f, 0.5f, 0.5f), 0.0f, 0.2f);
-    expectColor(osg::Vec3f(0.54f, 0.54f, 0.54f), sentBy(*s).reflectance);
+    expectColor(osg::Vec3f(0.543f, 0.543f, 0.543f), reflectance(sentBy(*s)));
     Material::setStrauss(*s, osg::Vec3f(0.5f, 0.5f, 0.5f), 0.0f, 0.0f);
-    expectColor(osg::Vec3f(0.5f, 0.5f, 0.5f), sentBy(*s).reflectance);
+    expectColor(osg::Vec3f(0.5f, 0.5f, 0.5f), sentBy(*s).diffuse);
     Material::setEmission(*s, osg::Vec3f(2, 3, 4));
     expectColor(osg::Vec3f(2, 3, 4), sentBy(*s).emission);
+}
+
+TEST(SentLight, IsThatOfEachLayer)
+{
+    osg::ref_ptr<osg::StateSet> s = new osg::StateSet;
+    s->setAttribute(makeMaterial(osg::Vec3f(0.5f, 0, 0), osg::Vec3f(0, 0.5f, 0)));
+    expectColor(osg::Vec3f(half, 0, 0), sentBy(*s).diffuse);
+    expectColor(osg::Vec3f(0, half, 0), sentBy(*s).glossy);
+    // A mirror of Phong's reflects the cosine: two thirds of light from all sides.
+    Material::setPhong(*s, osg::Vec3f(0.1f, 0.2f, 0.3f), osg::Vec3f(0.6f, 0.6f, 0.6f), 1000);
+    expectColor(osg::Vec3f(0.1f, 0.2f, 0.3f), sentBy(*s).diffuse);
+    expectColor(osg::Vec3f(0.4f, 0.4f, 0.4f), sentBy(*s).glossy);
+    Material::setLambert(*s, osg::Vec3f(0.1f, 0.2f, 0.3f));
+    expectColor(osg::Vec3f(), sentBy(*s).glossy);
+    // Light from all sides meets glass at all angles: 1 / 21 of the way from .04 to 1.
+    Material::setCookTorrance(*s, osg::Vec3f(0.5f, 0.5f, 0.5f), 0.0f, 0.2f);
+    expectColor(osg::Vec3f(0.0857f, 0.0857f, 0.0857f), sentBy(*s).glossy);
+    expectColor(osg::Vec3f(0.457f, 0.457f, 0.457f), sentBy(*s).diffuse);
+    Material::setCookTorrance(*s, osg::Vec3f(0.5f, 0.5f, 0.5f), 1.0f, 0.2f);
+    expectColor(osg::Vec3f(), sentBy(*s).diffuse);
+    Material::setStrauss(*s, osg::Vec3f(0.5f, 0.5f, 0.5f), 1.0f, 1.0f);
+    expectColor(osg::Vec3f(), sentBy(*s).diffuse);
+    EXPECT_NEAR(0.34f, sentBy(*s).glossy[0], 0.01f);  // two thirds of .5, and Fresnel's rise
 }
 
 // Ke 9 of an OBJ's lamp is nine times white, not what the display's curve would make of it.
@@ -97,17 +125,17 @@ TEST(SentLight, OfTexturesIsTheirMean)
     osg::ref_ptr<osg::StateSet> s = new osg::StateSet;
     s->setAttribute(makeMaterial(osg::Vec3f(0.5f, 0.5f, 0.5f)));
     s->setTextureAttributeAndModes(0, makeTexture({{255, 0, 0, 255}, {255, 255, 255, 0}}));
-    expectColor(osg::Vec3f(half, half / 2, half / 2), sentBy(*s).reflectance);
+    expectColor(osg::Vec3f(half, half / 2, half / 2), reflectance(sentBy(*s)));
     s->setTextureAttribute(0, new osg::TexEnv(osg::TexEnv::REPLACE));
-    expectColor(osg::Vec3f(0.98f, 0.5f, 0.5f), sentBy(*s).reflectance);
+    expectColor(osg::Vec3f(0.98f, 0.5f, 0.5f), reflectance(sentBy(*s)));
     s->setTextureAttribute(0, new osg::TexEnv(osg::TexEnv::DECAL));
-    expectColor(osg::Vec3f((half + 1) / 2, (half + 0.5f) / 2, (half + 0.5f) / 2), sentBy(*s).reflectance);
+    expectColor(osg::Vec3f((half + 1) / 2, (half + 0.5f) / 2, (half + 0.5f) / 2), reflectance(sentBy(*s)));
     s->setTextureAttribute(0, new osg::TexEnv(osg::TexEnv::ADD));
-    expectColor(osg::Vec3f(0.98f, half + 0.5f, half + 0.5f), sentBy(*s).reflectance);
+    expectColor(osg::Vec3f(0.98f, half + 0.5f, half + 0.5f), reflectance(sentBy(*s)));
     osg::ref_ptr<osg::TexEnv> blend = new osg::TexEnv(osg::TexEnv::BLEND);
     blend->setColor(osg::Vec4(0, 0, 1, 1));
     s->setTextureAttribute(0, blend);
-    expectColor(osg::Vec3f(0, half / 2, half / 2 + 0.5f), sentBy(*s).reflectance);
+    expectColor(osg::Vec3f(0, half / 2, half / 2 + 0.5f), reflectance(sentBy(*s)));
 }
 
 TEST(SentLight, OfVertexColoursIsTheirMean)
@@ -117,11 +145,11 @@ TEST(SentLight, OfVertexColoursIsTheirMean)
     colors->push_back(osg::Vec4(0, 1, 0.5f, 1));
     colors->push_back(osg::Vec4(0, 0, 0.5f, 1));
     geometry->setColorArray(colors, osg::Array::BIND_PER_VERTEX);
-    expectColor(osg::Vec3f(0, half, half), sentBy(*osg::ref_ptr<osg::StateSet>(new osg::StateSet), *geometry).reflectance);
+    expectColor(osg::Vec3f(0, half, half), reflectance(sentBy(*osg::ref_ptr<osg::StateSet>(new osg::StateSet), *geometry)));
     osg::ref_ptr<osg::StateSet> unlit = new osg::StateSet;
     unlit->setMode(GL_LIGHTING, osg::StateAttribute::OFF);
     expectColor(osg::Vec3f(0, half, half), sentBy(*unlit, *geometry).emission);
-    expectColor(osg::Vec3f(), sentBy(*unlit, *geometry).reflectance);
+    expectColor(osg::Vec3f(), reflectance(sentBy(*unlit, *geometry)));
 }
 
 TEST(SentLight, OfWhatIsNoColourIsNone)
@@ -129,7 +157,7 @@ TEST(SentLight, OfWhatIsNoColourIsNone)
     const float nan = std::numeric_limits<float>::quiet_NaN();
     osg::ref_ptr<osg::StateSet> s = new osg::StateSet;
     Material::setLambert(*s, osg::Vec3f(nan, -1, 7));
-    expectColor(osg::Vec3f(0, 0, 0.98f), sentBy(*s).reflectance);
+    expectColor(osg::Vec3f(0, 0, 0.98f), reflectance(sentBy(*s)));
 }
 
 // Those that stand still: in what each sends on a change is seen without a new scene.
@@ -143,7 +171,7 @@ TEST(StaticCasters, KnowsWhatItsPartsSendOn)
         geometry->setVertexArray(vertices);
         geometry->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, 3));
         c.geometry = geometry;
-        c.sent.reflectance = osg::Vec3f(0.5f, 0.5f, 0.5f);
+        c.sent.diffuse = osg::Vec3f(0.5f, 0.5f, 0.5f);
     }
     casters[1].state = new osg::StateSet;  // perforated: drawn apart, but it sends light on
     StaticCasters still;
@@ -157,11 +185,11 @@ TEST(StaticCasters, KnowsWhatItsPartsSendOn)
     EXPECT_EQ(2u, still.triangles() - 1);
     still.update(casters, false, 1e-6);
     EXPECT_EQ(version, still.sentVersion());
-    casters[1].sent.reflectance = osg::Vec3f(1, 0, 0);
+    casters[1].sent.diffuse = osg::Vec3f(1, 0, 0);
     still.update(casters, false, 1e-6);
     EXPECT_NE(version, still.sentVersion());
     EXPECT_EQ(generation, still.generation());
-    EXPECT_EQ(osg::Vec3f(1, 0, 0), still.parts()[1].sent.reflectance);
+    EXPECT_EQ(osg::Vec3f(1, 0, 0), still.parts()[1].sent.diffuse);
     // One moves: it leaves, and comes back when it has stood still.
     casters[2].worldFromModel.makeTranslate(1, 0, 0);
     still.update(casters, true, 1e-6);
@@ -170,7 +198,7 @@ TEST(StaticCasters, KnowsWhatItsPartsSendOn)
     for (unsigned i = 0; i < StaticCasters::patience; ++i) still.update(casters, false, 1e-6);
     EXPECT_EQ(3u, still.parts().size());
     EXPECT_EQ(2u, still.drawn().size());
-    EXPECT_EQ(osg::Vec3f(1, 0, 0), still.drawn()[1].sent.reflectance);
+    EXPECT_EQ(osg::Vec3f(1, 0, 0), still.drawn()[1].sent.diffuse);
 }
 
 }  // namespace SentLight_test

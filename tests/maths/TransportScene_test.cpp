@@ -95,10 +95,14 @@ TEST(TransportScene, TexturesHoldPointsAndProbes)
 TEST(TransportScene, PointsSendOnWhatTheirSurfacesDo)
 {
     const auto mesh = std::make_shared<CasterMesh>(meshOf(makeBody()));
-    StaticCasters::Parts parts = {{mesh, {osg::Vec3f(0.1f, 0.2f, 0.3f), osg::Vec3f()}}};
+    StaticCasters::Parts parts = {{mesh, {osg::Vec3f(0.1f, 0.2f, 0.3f), osg::Vec3f(), osg::Vec3f()}}};
     const osg::ref_ptr<TransportScene> scene = new TransportScene(tracedScene(parts), osg::Vec3d(), 2);
-    EXPECT_FLOAT_EQ(0.2f, texel(*scene->reflectances(parts), 1234)[1]);
+    EXPECT_FLOAT_EQ(0.2f, texel(*scene->diffuse(parts), 1234)[1]);
+    EXPECT_FALSE(scene->glossy(parts)) << "nothing is glossy";
     EXPECT_FALSE(scene->emissions(parts)) << "nothing emits";
+    parts[0].sent.glossy = osg::Vec3f(0.4f, 0.5f, 0.6f);
+    ASSERT_TRUE(scene->glossy(parts));
+    EXPECT_FLOAT_EQ(0.4f, texel(*scene->glossy(parts), 17)[0]);
     parts[0].sent.emission = osg::Vec3f(4, 5, 6);
     ASSERT_TRUE(scene->emissions(parts));
     EXPECT_FLOAT_EQ(6.0f, texel(*scene->emissions(parts), 4095)[2]);

@@ -10,7 +10,8 @@ namespace osgEnvLight
 /** The light between the surfaces of a view's scene, as it stands in a frame. */
 struct IndirectLight {
     osg::ref_ptr<TransportScene> scene;
-    osg::ref_ptr<osg::Texture2D> reflectances, emissions;  // of its points; null: none emits
+    // Of its points: what their Lambert layers reflect; what their lobes reflect, null: none has one; null: none emits.
+    osg::ref_ptr<osg::Texture2D> diffuse, glossy, emissions;
     TransportTargets targets;
     double mostReflected = 1.0;  // by any surface, of what it receives
 

@@ -142,16 +142,26 @@ osg::ref_ptr<osg::Texture2D> TransportScene::ofPoints(const StaticCasters::Parts
     return texels.texture(GL_RGBA32F_ARB);
 }
 
-osg::ref_ptr<osg::Texture2D> TransportScene::reflectances(const StaticCasters::Parts& parts) const
+osg::ref_ptr<osg::Texture2D> TransportScene::ofSome(const StaticCasters::Parts& parts, osg::Vec3f SentLight::*member) const
 {
-    return ofPoints(parts, &SentLight::reflectance);
+    const bool any =
+        std::any_of(parts.begin(), parts.end(), [&](const StaticCasters::Part& p) { return p.sent.*member != osg::Vec3f(); });
+    return any ? ofPoints(parts, member) : nullptr;
+}
+
+osg::ref_ptr<osg::Texture2D> TransportScene::diffuse(const StaticCasters::Parts& parts) const
+{
+    return ofPoints(parts, &SentLight::diffuse);
+}
+
+osg::ref_ptr<osg::Texture2D> TransportScene::glossy(const StaticCasters::Parts& parts) const
+{
+    return ofSome(parts, &SentLight::glossy);
 }
 
 osg::ref_ptr<osg::Texture2D> TransportScene::emissions(const StaticCasters::Parts& parts) const
 {
-    const bool any =
-        std::any_of(parts.begin(), parts.end(), [](const StaticCasters::Part& p) { return p.sent.emission != osg::Vec3f(); });
-    return any ? ofPoints(parts, &SentLight::emission) : nullptr;
+    return ofSome(parts, &SentLight::emission);
 }
 
 std::vector<osg::Texture2D*> TransportScene::textures() const

@@ -46,7 +46,9 @@ class OSGENVLIGHT_EXPORT TransportScene : public osg::Referenced
     osg::ref_ptr<osg::StateSet> uniforms;
 
     /** What the points send on, texels as pointPlaces. parts: those that the scene was made from, as they are now. */
-    osg::ref_ptr<osg::Texture2D> reflectances(const StaticCasters::Parts& parts) const;
+    osg::ref_ptr<osg::Texture2D> diffuse(const StaticCasters::Parts& parts) const;
+    /** Null: nothing is glossy. */
+    osg::ref_ptr<osg::Texture2D> glossy(const StaticCasters::Parts& parts) const;
     /** Null: nothing emits. */
     osg::ref_ptr<osg::Texture2D> emissions(const StaticCasters::Parts& parts) const;
 
@@ -62,6 +64,7 @@ class OSGENVLIGHT_EXPORT TransportScene : public osg::Referenced
     void writeParts(const std::vector<SurfacePart>& parts);
     void writeProbes(const ProbeGrid& grid);
     osg::ref_ptr<osg::Texture2D> ofPoints(const StaticCasters::Parts& parts, osg::Vec3f SentLight::*member) const;
+    osg::ref_ptr<osg::Texture2D> ofSome(const StaticCasters::Parts& parts, osg::Vec3f SentLight::*member) const;
     std::vector<osg::Texture2D*> textures() const;
 
     std::vector<unsigned> _surfaceOf;  // of each point

@@ -7,11 +7,21 @@
 namespace osgEnvLight
 {
 
+namespace
+{
+
+osg::ref_ptr<osg::Texture2D> pointTarget()
+{
+    return targetTexture(limits::POINT_SIDE, limits::POINT_SIDE, GL_RGBA32F_ARB);
+}
+
+}  // namespace
+
 TransportTargets::TransportTargets(int columnCount, int probeCount)
     : columns(columnCount),
       probes(probeCount),
-      pointLight(targetTexture(limits::POINT_SIDE, limits::POINT_SIDE, GL_RGBA32F_ARB)),
-      pointRadiance(targetTexture(limits::POINT_SIDE, limits::POINT_SIDE, GL_RGBA32F_ARB)),
+      pointLight(pointTarget()),
+      pointRadiance(pointTarget()),
       probeIrradiance(targetTexture(columns * (limits::PROBE_IRRADIANCE_SIDE + 2), columns * (limits::PROBE_IRRADIANCE_SIDE + 2),
                                     GL_RGBA32F_ARB)),
       radianceTarget(frameBufferOf(pointRadiance)),
@@ -27,11 +37,24 @@ TransportTargets::TransportTargets(int columnCount, int probeCount)
     probeIrradiance->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
 }
 
+void TransportTargets::makePointMirrored()
+{
+    pointMirrored = pointTarget();
+}
+
+std::vector<osg::Texture2D*> TransportTargets::textures() const
+{
+    std::vector<osg::Texture2D*> all;
+    for (const auto& t :
+         {pointLight, pointMirrored, pointRadiance, probeHarmonics[0], probeHarmonics[1], probeHarmonics[2], probeIrradiance})
+        if (t) all.push_back(t.get());
+    return all;
+}
+
 size_t TransportTargets::bytes() const
 {
     size_t sum = 0;
-    for (const osg::Texture2D* t : textures())
-        if (t) sum += bytesOf(*t);
+    for (const osg::Texture2D* t : textures()) sum += bytesOf(*t);
     return sum;
 }
 

@@ -23,16 +23,15 @@ struct OSGENVLIGHT_EXPORT TransportTargets {
     int columns = 0;
     int probes = 0;
     osg::ref_ptr<osg::Texture2D> pointLight;                                              // as pass/points.frag
+    osg::ref_ptr<osg::Texture2D> pointMirrored;                                           // the same; null: nothing is glossy
     osg::ref_ptr<osg::Texture2D> pointRadiance;                                           // as pass/pointradiance.frag
     std::array<osg::ref_ptr<osg::Texture2D>, limits::HARMONICS_TEXTURES> probeHarmonics;  // as pass/probeharmonics.frag
     osg::ref_ptr<osg::Texture2D> probeIrradiance;                                         // as pass/probes.frag
     osg::ref_ptr<osg::FrameBufferObject> radianceTarget, harmonicsTarget, irradianceTarget;
 
-    std::vector<osg::Texture2D*> textures() const
-    {
-        return {pointLight.get(),        pointRadiance.get(),     probeHarmonics[0].get(),
-                probeHarmonics[1].get(), probeHarmonics[2].get(), probeIrradiance.get()};
-    }
+    void makePointMirrored();
+
+    std::vector<osg::Texture2D*> textures() const;
     std::vector<osg::FrameBufferObject*> frameBuffers() const
     {
         return {radianceTarget.get(), harmonicsTarget.get(), irradianceTarget.get()};

@@ -27,7 +27,7 @@ double mostReflectedBy(const StaticCasters::Parts& parts)
 {
     float most = 0.0f;
     for (const StaticCasters::Part& part : parts)
-        for (int k = 0; k < 3; ++k) most = std::max(most, part.sent.reflectance[k]);
+        for (int k = 0; k < 3; ++k) most = std::max(most, part.sent.diffuse[k] + part.sent.glossy[k]);
     return most;
 }
 
@@ -72,6 +72,7 @@ void LinksPass::update(FrameContext& c)
         _sentVersion = casters.sentVersion();
         showSurfaces(casters.parts());
     }
+    keepMirrored();
     if (!_light.scene) ++_frames;
     // The first pictures show the end at once: there is nothing yet that they would jump from.
     const bool first = _frames <= 1 || c.settings.regeneration == Settings::IMMEDIATE;
@@ -111,9 +112,23 @@ void LinksPass::accept(const osg::ref_ptr<TransportScene>& scene)
 
 void LinksPass::showSurfaces(const StaticCasters::Parts& parts)
 {
-    _light.reflectances = _light.scene->reflectances(parts);
+    _light.diffuse = _light.scene->diffuse(parts);
+    _light.glossy = _light.scene->glossy(parts);
     _light.emissions = _light.scene->emissions(parts);
     _light.mostReflected = mostReflectedBy(parts);
+}
+
+// The target of what mirrors send, while something is glossy.
+void LinksPass::keepMirrored()
+{
+    osg::ref_ptr<osg::Texture2D>& mirrored = _light.targets.pointMirrored;
+    if (_light.targets.probes == 0 || bool(_light.glossy) == bool(mirrored)) return;
+    if (_light.glossy) {
+        _light.targets.makePointMirrored();
+        return;
+    }
+    _retired->add(mirrored.get());
+    mirrored = nullptr;
 }
 
 void LinksPass::retireTargets()
@@ -147,7 +162,7 @@ size_t LinksPass::bytes() const
 {
     if (!_light.scene) return 0;
     size_t sum = _light.scene->bytes() + _light.targets.bytes();
-    for (const auto& t : {_light.reflectances, _light.emissions})
+    for (const auto& t : {_light.diffuse, _light.glossy, _light.emissions})
         if (t) sum += bytesOf(*t);
     return sum;
 }
@@ -156,7 +171,7 @@ void LinksPass::resizeGLObjectBuffers(unsigned maximum)
 {
     _light.targets.resizeGLObjectBuffers(maximum);
     if (_light.scene) _light.scene->resizeGLObjectBuffers(maximum);
-    for (const auto& t : {_light.reflectances, _light.emissions})
+    for (const auto& t : {_light.diffuse, _light.glossy, _light.emissions})
         if (t) t->resizeGLObjectBuffers(maximum);
 }
 
@@ -164,7 +179,7 @@ void LinksPass::releaseGLObjects(osg::State* state) const
 {
     _light.targets.releaseGLObjects(state);
     if (_light.scene) _light.scene->releaseGLObjects(state);
-    for (const auto& t : {_light.reflectances, _light.emissions})
+    for (const auto& t : {_light.diffuse, _light.glossy, _light.emissions})
         if (t) t->releaseGLObjects(state);
     _lost = true;
 }
@@ -188,7 +203,8 @@ PointsPass::Key PointsPass::keyOf(const FrameContext& c)
             key.cones.push_back(light.spot[3]);
         }
     }
-    key.reflectances = c.indirect->reflectances;
+    key.diffuse = c.indirect->diffuse;
+    key.glossy = c.indirect->glossy;
     key.mapFromWorld = c.mapFromWorld;
     key.radianceScale = c.radianceScale;
     return key;
@@ -207,7 +223,8 @@ void PointsPass::update(FrameContext& c)
     const Key key = keyOf(c);
     const bool changed = light.fresh || !(key == _key);
     const bool immediate = c.settings.regeneration == Settings::IMMEDIATE;
-    const bool atOnce = light.fresh || immediate;
+    const bool neverMirrored = light.glossy && !_key.glossy;
+    const bool atOnce = light.fresh || neverMirrored || immediate;
     _key = key;
     if (changed) {
         light.turns = atOnce ? 1 : lightTurns;
@@ -256,6 +273,11 @@ void PointsPass::setup(PassBuilder& b, FrameContext& c)
     }
     b.frameUniforms(&c.frame.pointState(places, int(light.rows), int(c.number % light.rows), 0.5 * c.skyMaps->texel()));
     b.write(b.import("point light", light.targets.pointLight.get()));
+    if (light.glossy) {
+        b.define("HAS_GLOSS");
+        b.bind(c.atlasLights.nearest("atlas", *c.skyMaps), "nearestLightMap");
+        b.write(b.import("point mirrored", light.targets.pointMirrored.get()));
+    }
     b.drawAlways();
 }
 
@@ -300,8 +322,13 @@ BounceDraw::States BouncesPass::statesOf(PassBuilder& b, FrameContext& c) const
     Samplers points = {{"pointPlaceMap", scene.pointPlaces},
                        {"pointNormalMap", scene.pointNormals},
                        {"pointLightMap", light.targets.pointLight},
-                       {"pointReflectanceMap", light.reflectances}};
+                       {"pointDiffuseMap", light.diffuse}};
     std::vector<std::string> defines;
+    if (light.glossy) {
+        defines.push_back("HAS_GLOSS");
+        points.push_back({"pointGlossyMap", light.glossy});
+        points.push_back({"pointMirroredMap", light.targets.pointMirrored});
+    }
     if (light.emissions) {
         defines.push_back("HAS_EMISSION");
         points.push_back({"pointEmissionMap", light.emissions});

@@ -43,6 +43,7 @@ class OSGENVLIGHT_EXPORT LinksPass : public RenderPass
     void makeScene(const FrameContext& context, const Wanted& wanted);
     void accept(const osg::ref_ptr<TransportScene>& scene);
     void showSurfaces(const StaticCasters::Parts& parts);
+    void keepMirrored();
     void retireTargets();
 
     const osg::ref_ptr<RetiredObjects> _retired;
@@ -69,7 +70,7 @@ class OSGENVLIGHT_EXPORT PointsPass : public RenderPass
   private:
     /** What the points' light depends on. */
     struct Key {
-        osg::ref_ptr<const osg::Referenced> scene, textures, sky, suns, emitters, lamps, reflectances;
+        osg::ref_ptr<const osg::Referenced> scene, textures, sky, suns, emitters, lamps, diffuse, glossy;
         unsigned skyVersion = 0, sunsVersion = 0, emittersVersion = 0, lampsVersion = 0;
         std::vector<osg::Vec4f> falloffs;  // of the application's lights, which their maps do not show
         std::vector<float> cones;
@@ -79,9 +80,10 @@ class OSGENVLIGHT_EXPORT PointsPass : public RenderPass
         bool operator==(const Key& o) const
         {
             return scene == o.scene && textures == o.textures && sky == o.sky && suns == o.suns && emitters == o.emitters &&
-                   emittersVersion == o.emittersVersion && reflectances == o.reflectances && skyVersion == o.skyVersion &&
-                   lamps == o.lamps && lampsVersion == o.lampsVersion && falloffs == o.falloffs && cones == o.cones &&
-                   sunsVersion == o.sunsVersion && mapFromWorld == o.mapFromWorld && radianceScale == o.radianceScale;
+                   emittersVersion == o.emittersVersion && diffuse == o.diffuse && glossy == o.glossy &&
+                   skyVersion == o.skyVersion && lamps == o.lamps && lampsVersion == o.lampsVersion && falloffs == o.falloffs &&
+                   cones == o.cones && sunsVersion == o.sunsVersion && mapFromWorld == o.mapFromWorld &&
+                   radianceScale == o.radianceScale;
         }
     };
     static Key keyOf(const FrameContext& context);

@@ -6,15 +6,16 @@
 namespace osgEnvLight
 {
 
-/** What a surface does with light, taken as one diffuse colour: for what it sends to other surfaces. Linear. */
+/** What a surface does with light, taken as one colour for each of its layers: for what it sends to other surfaces. Linear. */
 struct SentLight {
-    osg::Vec3f reflectance;  // of the Lambert layer and the lobe together, each in [0,1]
-    osg::Vec3f emission;     // radiance; of colours of the host's as typed, whatever the exposure
-    float opacity = 1.0f;    // share of what meets it that it stops
+    osg::Vec3f diffuse;    // share of light that the Lambert layer reflects, in [0,1]
+    osg::Vec3f glossy;     // that the lobe reflects; the sum of both is below 1
+    osg::Vec3f emission;   // radiance; of colours of the host's as typed, whatever the exposure
+    float opacity = 1.0f;  // share of what meets it that it stops
 
     bool operator==(const SentLight& o) const
     {
-        return reflectance == o.reflectance && emission == o.emission && opacity == o.opacity;
+        return diffuse == o.diffuse && glossy == o.glossy && emission == o.emission && opacity == o.opacity;
     }
 };
 

@@ -6,9 +6,11 @@
 #include <osg/TexEnv>
 
 #include <algorithm>
+#include <cmath>
 
 #include "glsl.h"
 #include "lib/fresnel.glsl"
+#include "lib/phong.glsl"
 #include "lib/strauss.glsl"
 #include "lib/tone.glsl"
 
@@ -17,6 +19,8 @@ namespace osgEnvLight
 
 namespace
 {
+
+const float mostSent = 0.98f;
 
 osg::Vec3f rgb(const osg::Vec4& c)
 {
@@ -47,9 +51,38 @@ void read(const osg::StateSet& s, const char* name, T& value)
 }
 
 // No surface sends on more than it gets; what sends on all of it would light a closed room without end.
-osg::Vec3f possible(const osg::Vec3f& reflectance)
+void makePossible(SentLight& sent)
 {
-    return perChannel(reflectance, [](double x) { return x > 0.0 ? std::min(x, 0.98) : 0.0; });  // NaN sends nothing
+    for (int k = 0; k < 3; ++k) {
+        float &diffuse = sent.diffuse[k], &glossy = sent.glossy[k];
+        diffuse = diffuse > 0.0f ? std::min(diffuse, 1.0f) : 0.0f;  // NaN sends nothing
+        glossy = glossy > 0.0f ? std::min(glossy, 1.0f) : 0.0f;
+        const float scale = mostSent / std::max(diffuse + glossy, mostSent);
+        diffuse *= scale;
+        glossy *= scale;
+    }
+}
+
+osg::Vec3f remaining(const osg::Vec3f& share)
+{
+    return osg::Vec3f(1, 1, 1) - share;
+}
+
+// What a surface reflects of light from all sides, by what it reflects of light at a cosine.
+template <class F>
+double meanByCosine(F reflected)
+{
+    const int count = 16;
+    double sum = 0.0;
+    for (int i = 0; i < count; ++i) sum += reflected(std::sqrt((i + 0.5) / count));
+    return sum / count;
+}
+
+// The same of Schlick's form.
+osg::Vec3f meanFresnel(const osg::Vec3f& f0)
+{
+    const auto grazing = float(glsl::fresnelGrazing(glsl::vec3(f0[0], f0[1], f0[2])));
+    return mixed(f0, osg::Vec3f(grazing, grazing, grazing), 1.0f / 21.0f);
 }
 
 }  // namespace
@@ -63,6 +96,7 @@ void SentLightState::merge(const osg::StateSet& s)
     read(s, "envlightSpecular", _specular);
     read(s, "envlightMetalness", _metalness);
     read(s, "envlightSmoothness", _smoothness);
+    read(s, "envlightExponent", _exponent);
     read(s, MaterialMaps::dielectric, _dielectric);
 }
 
@@ -105,13 +139,15 @@ float SentLightState::opacity() const
 
 SentLight SentLightState::hostLight(const osg::Vec3f& color, bool displayColors) const
 {
-    if (unlit()) return {osg::Vec3f(), color};
-    const osg::Material* m = osgMaterial();
-    SentLight sent{color, emission(displayColors)};
-    if (paintedReflection()) return sent;
-    if (phongMaterial()) sent.reflectance += decoded(rgb(m->getSpecular(osg::Material::FRONT)), displayColors);
-    const float most = std::max({1.0f, sent.reflectance[0], sent.reflectance[1], sent.reflectance[2]});
-    sent.reflectance /= most;
+    if (unlit()) return {osg::Vec3f(), osg::Vec3f(), color};
+    if (paintedReflection()) return {osg::Vec3f(), color, emission(displayColors)};
+    SentLight sent{color, osg::Vec3f(), emission(displayColors)};
+    if (!phongMaterial()) return sent;
+    sent.glossy = decoded(rgb(osgMaterial()->getSpecular(osg::Material::FRONT)), displayColors);
+    const osg::Vec3f sum = sent.diffuse + sent.glossy;
+    const float most = std::max({1.0f, sum[0], sum[1], sum[2]});
+    sent.diffuse /= most;
+    sent.glossy /= most;
     return sent;
 }
 
@@ -123,31 +159,45 @@ SentLight SentLightState::sentLight(const osg::Geometry& geometry, bool displayC
     if (brdf() >= Material::COOK_TORRANCE && brdf() != Material::BLINN_PHONG) material = _baseColor;
     const osg::Vec3f color = surfaceColor(geometry, material, displayColors);
     SentLight sent = hostLight(color, displayColors);
+    if (brdf() >= 0) setLayers(sent, color);
+    if (emits()) sent.emission = emission(displayColors);
+    makePossible(sent);
+    return sent;
+}
+
+void SentLightState::setLayers(SentLight& sent, const osg::Vec3f& color) const
+{
     switch (brdf()) {
-        case Material::LAMBERT:
-            sent.reflectance = color;
-            break;
         case Material::PHONG:
         case Material::BLINN_PHONG:
-            sent.reflectance = color + _specular;
+            sent.diffuse = color;
+            sent.glossy = _specular;
+            if (brdf() == Material::PHONG)
+                sent.glossy *= float(meanByCosine([&](double c) { return glsl::phongAlbedo(double(_exponent), c); }));
             break;
         case Material::COOK_TORRANCE:
         case Material::BECKMANN: {
             const float glass = float(glsl::DIELECTRIC_F0);
-            sent.reflectance = mixed(color + (dielectric() ? _dielectric : osg::Vec3f(glass, glass, glass)), color, _metalness);
+            const osg::Vec3f f0 = mixed(dielectric() ? _dielectric : osg::Vec3f(glass, glass, glass), color, _metalness);
+            sent.glossy = meanFresnel(f0);
+            sent.diffuse = osg::componentMultiply(color * (1.0f - _metalness), remaining(sent.glossy));
             break;
         }
         case Material::STRAUSS: {
-            const auto diffuse = float(glsl::straussDiffuse(double(_smoothness), double(_metalness)));
-            sent.reflectance = mixed(color * diffuse, color, _metalness);
+            const double s = double(_smoothness);
+            const auto lobe = [&](double c) {
+                return glsl::straussReflectance(s, c, c) * glsl::phongAlbedo(glsl::straussExponent(s), c);
+            };
+            const osg::Vec3f white(1, 1, 1);
+            sent.glossy = mixed(white, color, _metalness) * float(meanByCosine([&](double c) { return lobe(c).x; })) +
+                          white * float(meanByCosine([&](double c) { return lobe(c).y; }));
+            sent.diffuse = color * float(glsl::straussDiffuse(s, double(_metalness)));
             break;
         }
         default:
-            break;
+            sent.diffuse = color;
+            sent.glossy = osg::Vec3f();
     }
-    if (emits()) sent.emission = emission(displayColors);
-    sent.reflectance = possible(sent.reflectance);
-    return sent;
 }
 
 }  // namespace osgEnvLight

@@ -25,11 +25,14 @@ class OSGENVLIGHT_EXPORT SentLightState : public SurfaceState
   private:
     osg::Vec3f surfaceColor(const osg::Geometry& geometry, const osg::Vec3f& material, bool displayColors) const;
     SentLight hostLight(const osg::Vec3f& color, bool displayColors) const;
+    /** Of our Material. */
+    void setLayers(SentLight& sent, const osg::Vec3f& color) const;
 
     // Of our Material.
     osg::Vec3f _baseColor, _diffuse, _specular, _dielectric;
     float _metalness = 0.0f;
     float _smoothness = 0.0f;
+    float _exponent = 0.0f;
 };
 
 }  // namespace osgEnvLight
