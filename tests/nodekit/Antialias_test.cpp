@@ -110,6 +110,19 @@ TEST(Antialias, IsOfWhatADisplayShows)
             }
 }
 
+// The map alone has no edges.
+TEST(Antialias, IsOfSurfaces)
+{
+    SceneRenderer renderer(size, size);
+    const osg::ref_ptr<LitScene> lit = card(Settings::ANTIALIAS_EDGES, true);
+    lit->removeChildren(0, lit->getNumChildren());
+    const Picture with = draw(renderer, lit, osg::Vec4(), 2);
+    EXPECT_FALSE(lit->plan().runs("display"));
+    EXPECT_EQ(lit->plan().reason("pixelmarks"), lit->plan().reason("display"));
+    lit->getSettings()->antialias = Settings::ANTIALIAS_OFF;
+    EXPECT_EQ(0.0, largestDifference(with, draw(renderer, lit, osg::Vec4(), 2)));
+}
+
 // The average of a still view has smooth edges of its own.
 TEST(Antialias, AStillViewConvergesToWhatItDoesWithout)
 {

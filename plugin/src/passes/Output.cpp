@@ -71,6 +71,7 @@ void ResolvePass::setup(PassBuilder& b, FrameContext& c)
 Requirement DisplayPass::require(const FrameContext& c) const
 {
     Requirement display = requirePicture(c);
+    display.unless(c.facts.surfaces.deferred == 0, c.facts.whyNoneIsDeferred());
     display.unless(c.settings.antialias == Settings::ANTIALIAS_OFF, "edges are not smoothed");
     display.unless(c.settings.output == Settings::LINEAR, "the host gets linear radiance, pixel by pixel");
     return display.because("edges are smoothed");
