@@ -75,7 +75,7 @@ Mesh backdrop()
 Scene materialSpheres()
 {
     Scene scene("spheres", {"studio", 20, 0.55, 0.86}, {{0, -11.5, 6.4}, {0, 0.0, 0.35}, 33}, allMaterials());
-    const osg::ref_ptr<osg::Geometry> model = sphere(radius, 96).geometry();
+    const osg::ref_ptr<osg::Geometry> model = sphere(radius, 40).geometry();
     for (size_t j = 0; j < rows.size(); ++j)
         for (int i = 0; i < columns; ++i) {
             const osg::Vec3d centre((i - 0.5 * (columns - 1)) * spacing, (double(j) - 1.5) * spacing, radius);
