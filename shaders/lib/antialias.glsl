@@ -24,11 +24,17 @@ float edgeMeasure(sampler2D picture, ivec2 p)
 // How far the edge between two rows runs from p on, and by how much the mean of both differs where it ends.
 vec2 edgeEnd(sampler2D picture, ivec2 p, ivec2 side, ivec2 along, float middle, float contrast)
 {
-    for (int i = 1; i <= EDGE_REACH; ++i) {
+    // Compilers unroll a loop whose end they know, and software renderers would then go all the way at every pixel.
+    int reach = contrast > 0.0 ? EDGE_REACH : 0;
+    float least = 0.25 * contrast;
+    float difference = 0.0;
+    int i = 0;
+    while (i < reach && abs(difference) < least) {
+        ++i;
         ivec2 q = p + i * along;
-        float difference = 0.5 * (edgeMeasure(picture, q) + edgeMeasure(picture, q + side)) - middle;
-        if (abs(difference) >= 0.25 * contrast) return vec2(float(i) - 0.5, difference);
+        difference = 0.5 * (edgeMeasure(picture, q) + edgeMeasure(picture, q + side)) - middle;
     }
+    if (abs(difference) >= least) return vec2(float(i) - 0.5, difference);
     return vec2(float(EDGE_REACH) + 0.5, 0.0);
 }
 
