@@ -65,8 +65,8 @@ struct PointLight {
     vec3 meets;  // what of it a mirror sends to other surfaces
 };
 
-// 1 if light from direction l, mirrored at the point, meets a surface, else 0: what hides the atlas light nearest to where it goes. Near the
-// horizon that may be below the surface: then it goes where it came from.
+// 1 if light from direction l, mirrored at the point, meets a surface, else 0: whether one hides the atlas light nearest to where it goes. Near
+// the horizon that light may lie below the point's own surface. Then the answer is `hidden`: whether one hides l.
 float mirrorMeets(vec3 l, float hidden, vec3 place, vec3 n)
 {
 #ifdef HAS_GLOSS

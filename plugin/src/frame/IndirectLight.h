@@ -10,8 +10,10 @@ namespace osgEnvLight
 /** The light between the surfaces of a view's scene, as it stands in a frame. */
 struct IndirectLight {
     osg::ref_ptr<TransportScene> scene;
-    // Of its points: what their Lambert layers reflect; what their lobes reflect, null: none has one; null: none emits.
-    osg::ref_ptr<osg::Texture2D> diffuse, glossy, emissions;
+    // Of its points:
+    osg::ref_ptr<osg::Texture2D> diffuse;    // what their Lambert layers reflect
+    osg::ref_ptr<osg::Texture2D> glossy;     // what their lobes reflect; null: none has one
+    osg::ref_ptr<osg::Texture2D> emissions;  // null: none emits
     TransportTargets targets;
     double mostReflected = 1.0;  // by any surface, of what it receives
 

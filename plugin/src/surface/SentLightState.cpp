@@ -68,14 +68,13 @@ osg::Vec3f remaining(const osg::Vec3f& share)
     return osg::Vec3f(1, 1, 1) - share;
 }
 
-// What a surface reflects of light from all sides, by what it reflects of light at a cosine.
+// What a surface reflects of light from all sides, by what it reflects of light at a cosine: Gauss-Jacobi quadrature of two
+// points, exact for cubic polynomials of the cosine.
 template <class F>
 double meanByCosine(F reflected)
 {
-    const int count = 16;
-    double sum = 0.0;
-    for (int i = 0; i < count; ++i) sum += reflected(std::sqrt((i + 0.5) / count));
-    return sum / count;
+    const double root = std::sqrt(6.0);
+    return (0.5 - root / 18.0) * reflected((6.0 - root) / 10.0) + (0.5 + root / 18.0) * reflected((6.0 + root) / 10.0);
 }
 
 // The same of Schlick's form.
