@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 // The map, the suns and lamps light the surface points [indirect2.md 6]. Each texel is a point. The colour is the irradiance over pi, in
 // units of the map's mean; alpha is the share of the map's directions that the point sees.
-// Where surfaces are glossy, a second target says what a mirror at the point sends to other surfaces. Points send light evenly; of that, other
-// surfaces get the share in which they hide the map. A mirror sends light in one direction, which they hide or not. The colour is the
-// irradiance over pi whose direction they hide, divided by that share, so that they get all of it. Alpha is the factor by which the same
-// is done to the light that they send here.
+// Where surfaces are glossy, a second target holds what mirrors at the points send to other surfaces. A point sends light evenly: other
+// surfaces receive the share of it that goes where they hide the map. A mirror sends each light in one direction, and a surface is there
+// or not. The colour is the irradiance over pi of the lights for which one is there, divided by that share: other surfaces then receive
+// all of it. Alpha is the same factor for the light that surfaces send to the point.
 #pragma import_defines(MAP_IS_BLACK, HAS_SUN_MAPS, HAS_AREA_LIGHTS, HAS_SCENE_LIGHT_MAPS, HAS_GLOSS)
 
 #include "lib/constants.glsl"
@@ -65,8 +65,8 @@ struct PointLight {
     vec3 meets;  // what of it a mirror sends to other surfaces
 };
 
-// 1 if light from direction l, mirrored at the point, meets a surface, else 0: whether one hides the atlas light nearest to where it goes. Near
-// the horizon that light may lie below the point's own surface. Then the answer is `hidden`: whether one hides l.
+// 1 if a surface is where a mirror at the point sends light from direction l, else 0: if it hides the atlas light nearest to there. Near the
+// horizon that light may lie below the point's own surface. The answer is then `hidden`, which says whether a surface hides l.
 float mirrorMeets(vec3 l, float hidden, vec3 place, vec3 n)
 {
 #ifdef HAS_GLOSS
@@ -111,7 +111,7 @@ void receiveAreaLights(vec3 place, vec3 n, inout PointLight sum)
         vec3 to = e.position - place - pointsInEmitterMaps;
         float kernel = emitterKernel(e, to, n);
         if (kernel <= 0.0) continue;
-        float sees = emitterSees(e, place + pointsInEmitterMaps, n);
+        float sees = emitterSees(e, place + pointsInEmitterMaps, n);  // negative: not known, and counts as seen for the mirror
         sums = withPoint(sums, kernel * e.power, sees);
         receive(abs(sees) * kernel * e.power, normalize(to), place, n, seen);
     }

@@ -184,8 +184,8 @@ TEST(Probes, AHollowBallAboutALampIsItsClosedForm)
     }
 }
 
-// A wall at the end of a floor of polished metal, under an even sky. The sky before the wall is what the floor shows it. Half of
-// what the floor receives comes from there, and all of that meets the wall; matt, it would send the wall half as much.
+// A wall stands at the end of a floor of polished metal, under an even sky. The floor mirrors the sky before the wall onto it:
+// half of the light that the floor receives, and all of that meets the wall. A matt floor would send the wall half as much.
 TEST(Probes, APolishedFloorShowsTheSkyToAWall)
 {
     SceneRenderer renderer(64, 64);

@@ -74,7 +74,7 @@ TEST(Reflections, ShowTheSceneWhereItHidesTheMap)
     }
 }
 
-// Of a glowing wall, whether it is an area light or not, a mirror of Phong's shows the cosine: its lobe is not divided by that.
+// A mirror with Phong's lobe shows a glowing wall times the cosine to the eye, whether the wall is an area light or not.
 TEST(Reflections, PhongsMirrorShowsTheCosineOfAWall)
 {
     SceneRenderer renderer(64, 64);

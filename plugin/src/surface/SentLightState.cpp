@@ -21,6 +21,7 @@ namespace
 {
 
 const float mostSent = 0.98f;
+const osg::Vec3f whole(1, 1, 1);  // all of the light
 
 osg::Vec3f rgb(const osg::Vec4& c)
 {
@@ -63,15 +64,10 @@ void makePossible(SentLight& sent)
     }
 }
 
-osg::Vec3f remaining(const osg::Vec3f& share)
-{
-    return osg::Vec3f(1, 1, 1) - share;
-}
-
 // What a surface reflects of light from all sides, by what it reflects of light at a cosine: Gauss-Jacobi quadrature of two
 // points, exact for cubic polynomials of the cosine.
 template <class F>
-double meanByCosine(F reflected)
+auto meanByCosine(F reflected)
 {
     const double root = std::sqrt(6.0);
     return (0.5 - root / 18.0) * reflected((6.0 - root) / 10.0) + (0.5 + root / 18.0) * reflected((6.0 + root) / 10.0);
@@ -179,17 +175,14 @@ void SentLightState::setLayers(SentLight& sent, const osg::Vec3f& color) const
             const float glass = float(glsl::DIELECTRIC_F0);
             const osg::Vec3f f0 = mixed(dielectric() ? _dielectric : osg::Vec3f(glass, glass, glass), color, _metalness);
             sent.glossy = meanFresnel(f0);
-            sent.diffuse = osg::componentMultiply(color * (1.0f - _metalness), remaining(sent.glossy));
+            sent.diffuse = osg::componentMultiply(color * (1.0f - _metalness), whole - sent.glossy);
             break;
         }
         case Material::STRAUSS: {
             const double s = double(_smoothness);
-            const auto lobe = [&](double c) {
-                return glsl::straussReflectance(s, c, c) * glsl::phongAlbedo(glsl::straussExponent(s), c);
-            };
-            const osg::Vec3f white(1, 1, 1);
-            sent.glossy = mixed(white, color, _metalness) * float(meanByCosine([&](double c) { return lobe(c).x; })) +
-                          white * float(meanByCosine([&](double c) { return lobe(c).y; }));
+            const glsl::vec2 lobe = meanByCosine(
+                [&](double c) { return glsl::straussReflectance(s, c, c) * glsl::phongAlbedo(glsl::straussExponent(s), c); });
+            sent.glossy = mixed(whole, color, _metalness) * float(lobe.x) + whole * float(lobe.y);
             sent.diffuse = color * float(glsl::straussDiffuse(s, double(_metalness)));
             break;
         }
