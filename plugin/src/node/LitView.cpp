@@ -4,6 +4,7 @@
 #include "passes/AreaLights.h"
 #include "passes/Indirect.h"
 #include "passes/Lighting.h"
+#include "passes/Links.h"
 #include "passes/Occlusion.h"
 #include "passes/Output.h"
 #include "passes/PixelMarks.h"

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "passes/Links.h"
+
+#include "base/Limits.h"
+
+#include <algorithm>
+
+namespace osgEnvLight
+{
+
+namespace
+{
+
+const double shareStep = 1.0 / 16.0;  // by which the probes' answer takes the place of the mean in a frame
+
+double mostReflectedBy(const StaticCasters::Parts& parts)
+{
+    float most = 0.0f;
+    for (const StaticCasters::Part& part : parts)
+        for (int k = 0; k < 3; ++k) most = std::max(most, part.sent.diffuse[k] + part.sent.glossy[k]);
+    return most;
+}
+
+}  // namespace
+
+Requirement requireProbes(const FrameContext& c)
+{
+    Requirement probes;
+    probes.unless(c.settings.bounce == Settings::BOUNCE_OFF, "switched off");
+    probes.unless(c.settings.bounce == Settings::BOUNCE_MEAN, "bounce is mean");
+    probes.unless(!c.decisions.occlusion.needed, "no light is blocked");
+    probes.unless(!c.decisions.atlas.needed, "without the atlas nobody knows how much of the map a surface sees");
+    return probes.unless(c.nearSkyMaps != nullptr, "the view shows too little of the scene for probes all over it");
+}
+
+Requirement LinksPass::require(const FrameContext& c) const
+{
+    return requireProbes(c).because("surface points and probes, made on a thread of their own");
+}
+
+void LinksPass::update(FrameContext& c)
+{
+    if (_lost.exchange(false)) _light.fresh = true;
+    const StaticCasters& casters = c.skyMaps->still();
+    if (const osg::ref_ptr<TransportScene> made = _worker.take()) accept(made);
+    const Wanted wanted{c.skyMaps, casters.generation(), c.settings.bounceProbes};
+    if (!(wanted == _wanted)) makeScene(c, wanted);
+    if (_isShown && _sentVersion != casters.sentVersion()) {
+        _sentVersion = casters.sentVersion();
+        showSurfaces(casters.parts());
+    }
+    keepMirrored();
+    if (!_light.scene) ++_frames;
+    // The first pictures show the end at once: there is nothing yet that they would jump from.
+    const bool first = _frames <= 1 || c.settings.regeneration == Settings::IMMEDIATE;
+    if (_light.scene) _light.share = first ? 1.0 : std::min(_light.share + shareStep, 1.0);
+    c.indirect = _light.scene && !_light.scene->empty() ? &_light : nullptr;
+    if (_worker.busy() || (c.indirect && _light.isSettling())) ++c.waitingBounces;
+}
+
+void LinksPass::makeScene(const FrameContext& c, const Wanted& wanted)
+{
+    _wanted = wanted;
+    _wantedParts = c.skyMaps->still().parts();
+    _isShown = false;
+    const auto make = [parts = _wantedParts, origin = c.skyMaps->origin(),
+                       probes = wanted.probes](const std::atomic<bool>* stop) {
+        return osg::ref_ptr<TransportScene>(new TransportScene(tracedScene(parts), origin, probes, stop));
+    };
+    if (c.settings.regeneration == Settings::IMMEDIATE)
+        accept(make(nullptr));
+    else
+        _worker.post([make](const std::atomic<bool>& stop) { return make(&stop); });
+}
+
+void LinksPass::accept(const osg::ref_ptr<TransportScene>& scene)
+{
+    _light.scene = scene;
+    _isShown = true;
+    _sentVersion = 0;
+    if (scene->empty()) return;
+    showSurfaces(_wantedParts);
+    const int probes = scene->count[0] * scene->count[1] * scene->count[2];
+    if (probes == _light.targets.probes) return;  // what the probes saw in the former scene is a beginning in this one
+    retireTargets();
+    _light.targets = TransportTargets(scene->columns, probes);
+    _light.fresh = true;
+}
+
+void LinksPass::showSurfaces(const StaticCasters::Parts& parts)
+{
+    _light.diffuse = _light.scene->diffuse(parts);
+    _light.glossy = _light.scene->glossy(parts);
+    _light.emissions = _light.scene->emissions(parts);
+    _light.mostReflected = mostReflectedBy(parts);
+}
+
+// The target of what mirrors send, while something is glossy.
+void LinksPass::keepMirrored()
+{
+    osg::ref_ptr<osg::Texture2D>& mirrored = _light.targets.pointMirrored;
+    if (_light.targets.probes == 0 || bool(_light.glossy) == bool(mirrored)) return;
+    if (_light.glossy) {
+        _light.targets.makePointMirrored();
+        return;
+    }
+    _retired->add(mirrored.get());
+    mirrored = nullptr;
+}
+
+void LinksPass::retireTargets()
+{
+    if (_light.targets.probes == 0) return;
+    for (osg::Texture2D* t : _light.targets.textures()) _retired->add(t);
+    for (osg::FrameBufferObject* f : _light.targets.frameBuffers()) _retired->add(f);
+}
+
+void LinksPass::setup(PassBuilder&, FrameContext& c)
+{
+    if (!c.indirect) return;
+    const TransportScene& scene = *c.indirect->scene;
+    c.remark(", " + std::to_string(limits::POINT_SIDE * limits::POINT_SIDE) + " points, " + std::to_string(scene.count[0]) +
+             " x " + std::to_string(scene.count[1]) + " x " + std::to_string(scene.count[2]) + " probes");
+}
+
+void LinksPass::dismiss(FrameContext& c)
+{
+    if (c.showsNothing && Decisions::wantsAtlas(c.settings)) return;
+    _worker.discard();
+    retireTargets();
+    _light = {};
+    _wanted = {};
+    _wantedParts.clear();
+    _isShown = false;
+    _frames = 0;
+}
+
+size_t LinksPass::bytes() const
+{
+    if (!_light.scene) return 0;
+    size_t sum = _light.scene->bytes() + _light.targets.bytes();
+    for (const auto& t : {_light.diffuse, _light.glossy, _light.emissions})
+        if (t) sum += bytesOf(*t);
+    return sum;
+}
+
+void LinksPass::resizeGLObjectBuffers(unsigned maximum)
+{
+    _light.targets.resizeGLObjectBuffers(maximum);
+    if (_light.scene) _light.scene->resizeGLObjectBuffers(maximum);
+    for (const auto& t : {_light.diffuse, _light.glossy, _light.emissions})
+        if (t) t->resizeGLObjectBuffers(maximum);
+}
+
+void LinksPass::releaseGLObjects(osg::State* state) const
+{
+    _light.targets.releaseGLObjects(state);
+    if (_light.scene) _light.scene->releaseGLObjects(state);
+    for (const auto& t : {_light.diffuse, _light.glossy, _light.emissions})
+        if (t) t->releaseGLObjects(state);
+    _lost = true;
+}
+
+}  // namespace osgEnvLight
