@@ -56,7 +56,7 @@ const std::vector<Sweep>& defaultSweeps()
         {"suns", {"off", "glossy", "auto"}, {}, Sweep::ANY, false},
         {"specularMethod", {"sampled", "prefiltered"}, {}, Sweep::SPECULAR, true},
         {"specularSamples", {"4", "8", "16", "32", "64", "128"}, {}, Sweep::SPECULAR, true},
-        {"reflections", {"off", "map", "indirect", "screen"}, {}, Sweep::FULL_TRANSPORT, true},
+        {"reflections", {"off", "map", "indirect", "screen", "scene"}, {}, Sweep::FULL_TRANSPORT, true},
         {"reflectionSteps", {"4", "8", "16", "32", "64"}, {}, Sweep::SPECULAR, false},
         {"bounce", {"off", "mean", "probes"}, {}, Sweep::FULL_TRANSPORT, true},
         {"bounceProbes", {"4", "6", "8", "12", "16"}, {}, Sweep::FULL_TRANSPORT, false},

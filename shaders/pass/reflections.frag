@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 // What glossy surfaces show of the picture, first part: one ray a pixel [indirect2.md 3, 6]. A narrow lobe's ray goes in the mirror
 // direction; in wider lobes each pixel of a 4x4 cell takes another direction. Rays read this frame's picture, in which the lobes
-// still show the mean radiance of what blocks light. No earlier frame is read, so nothing trails behind what moves.
-#pragma import_defines(HAS_AREA_LIGHTS)
+// still show the mean radiance of what blocks light. No earlier frame is read, so nothing trails behind what moves. Where the picture does
+// not show what a ray meets, the scene's triangles do.
+#pragma import_defines(HAS_AREA_LIGHTS, HAS_SCENE_RAYS)
 #include "lib/frame.glsl"
 #include "lib/march.glsl"
 #include "lib/sequence.glsl"
@@ -15,6 +16,15 @@
 uniform sampler2D radianceMap;
 #ifdef HAS_AREA_LIGHTS
 uniform sampler2D emissionMap;
+#endif
+#ifdef HAS_SCENE_RAYS
+#include "pass/scenecells.glsl"
+uniform mat4 atlasFromEye;  // to the origin of the triangles
+uniform float probeShare;   // of what surface points know, in the picture
+uniform sampler2D blockedLobeMap;
+#ifdef HAS_COATS
+uniform sampler2D blockedCoatMap;
+#endif
 #endif
 uniform float sceneRadius;
 uniform int reflectionSteps;
@@ -71,6 +81,21 @@ vec3 coneRadiance(ScreenHit hit, float tangent)
     return sum / count;
 }
 
+#ifdef HAS_SCENE_RAYS
+// Where a lobe reflects less than the first of the light that the scene sends in place of the map, no ray goes through the scene. Above the
+// second its answer is all that counts.
+const vec2 TRACED_REFLECTANCE = vec2(0.05, 0.1);
+
+// Of what the lobe on top holds of the map.
+float hiddenShare(ivec2 p)
+{
+#ifdef HAS_COATS
+    if (isCoated(p)) return texelFetch(blockedCoatMap, p, 0).a;
+#endif
+    return texelFetch(blockedLobeMap, p, 0).a;
+}
+#endif
+
 void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
@@ -92,10 +117,18 @@ void main()
     // Points between those of its neighbours, where these are averaged; else as they, so that edges are lines.
     float phase = evenRoughness(b) < NARROW_ROUGHNESS ? 1.0 : (float(group) + 1.0) / 16.0;
     ScreenHit hit = screenRayHit(depthMap, normalMap, ray, reflectionSteps, phase);
-    if (!hit.found) return;
-    float share = smoothstep(0.0, 0.1, hit.border);  // fades where the picture ends
+    float share = hit.found ? smoothstep(0.0, 0.1, hit.border) : 0.0;  // fades where the picture ends
     float tangent = 0.0;
     if (evenRoughness(b) >= NARROW_ROUGHNESS)
         tangent = CONE_WIDTH * inversesqrt(16.0 * PI * ggxReflectionPdf(v, normalize(v + d), lobeAlpha(b)));
-    reflection = share * vec4(coneRadiance(hit, tangent), 1.0);
+    if (share > 0.0) reflection = share * vec4(coneRadiance(hit, tangent), 1.0);
+#ifdef HAS_SCENE_RAYS
+    vec3 most = b.reflected * hiddenShare(p);
+    float traced = probeShare * smoothstep(TRACED_REFLECTANCE.x, TRACED_REFLECTANCE.y, max(most.r, max(most.g, most.b)));
+    if (share < 1.0 && traced > 0.0) {
+        vec3 from = vec3(atlasFromEye * vec4(origin, 1.0));
+        vec3 along = mat3(atlasFromEye) * (eyeFromLocal * d);
+        reflection += (1.0 - share) * traced * sceneRadiance(from, along, 2.0 * sceneRadius);
+    }
+#endif
 }

@@ -71,7 +71,7 @@ TEST(TracedScene, KnowsWhichPartsAreClosed)
 
 TEST(TransportScene, TexturesHoldPointsAndProbes)
 {
-    const osg::ref_ptr<TransportScene> scene = new TransportScene(makeBody(), osg::Vec3d(7, 8, 9), 4);
+    const osg::ref_ptr<TransportScene> scene = new TransportScene(makeBody(), osg::Vec3d(7, 8, 9), 4, false);
     ASSERT_FALSE(scene->empty());
     EXPECT_EQ(osg::Vec3d(7, 8, 9), scene->origin);
     EXPECT_EQ((std::array<int, 3>{4, 4, 2}), scene->count);
@@ -92,11 +92,28 @@ TEST(TransportScene, TexturesHoldPointsAndProbes)
     EXPECT_GT(scene->bytes(), size_t(points) * 32);
 }
 
+TEST(TransportScene, HasTablesForRaysWhereTheyAreAskedFor)
+{
+    const auto mesh = std::make_shared<CasterMesh>(meshOf(makeBody()));
+    const osg::Vec3f diffuse(0.1f, 0.2f, 0.3f), glossy(0.4f, 0.0f, 0.1f), emission(4, 5, 6);
+    const StaticCasters::Parts parts = {{mesh, {osg::Vec3f(), osg::Vec3f(), osg::Vec3f()}}, {mesh, {diffuse, glossy, emission}}};
+    const osg::ref_ptr<TransportScene> without = new TransportScene(tracedScene(parts), osg::Vec3d(), 2, false),
+                                       with = new TransportScene(tracedScene(parts), osg::Vec3d(), 2, true);
+    EXPECT_FALSE(without->rays);
+    ASSERT_TRUE(with->rays);
+    size_t more = 0;
+    for (const osg::Texture2D* t : with->rays->textures()) more += t->getImage()->getTotalSizeInBytes();
+    EXPECT_EQ(without->bytes() + more, with->bytes());
+    const osg::ref_ptr<osg::Texture2D> colors = SceneRays::colors(parts);
+    EXPECT_EQ(diffuse + glossy, osg::Vec3f(texel(*colors, 2)[0], texel(*colors, 2)[1], texel(*colors, 2)[2]));
+    EXPECT_EQ(emission, osg::Vec3f(texel(*colors, 3)[0], texel(*colors, 3)[1], texel(*colors, 3)[2]));
+}
+
 TEST(TransportScene, PointsSendOnWhatTheirSurfacesDo)
 {
     const auto mesh = std::make_shared<CasterMesh>(meshOf(makeBody()));
     StaticCasters::Parts parts = {{mesh, {osg::Vec3f(0.1f, 0.2f, 0.3f), osg::Vec3f(), osg::Vec3f()}}};
-    const osg::ref_ptr<TransportScene> scene = new TransportScene(tracedScene(parts), osg::Vec3d(), 2);
+    const osg::ref_ptr<TransportScene> scene = new TransportScene(tracedScene(parts), osg::Vec3d(), 2, false);
     EXPECT_FLOAT_EQ(0.2f, texel(*scene->diffuse(parts), 1234)[1]);
     EXPECT_FALSE(scene->glossy(parts)) << "nothing is glossy";
     EXPECT_FALSE(scene->emissions(parts)) << "nothing emits";
@@ -111,11 +128,11 @@ TEST(TransportScene, PointsSendOnWhatTheirSurfacesDo)
 TEST(TransportScene, OfNothingIsEmpty)
 {
     TracedScene scene;
-    EXPECT_TRUE(osg::ref_ptr<TransportScene>(new TransportScene(scene, osg::Vec3d(), 8))->empty());
+    EXPECT_TRUE(osg::ref_ptr<TransportScene>(new TransportScene(scene, osg::Vec3d(), 8, false))->empty());
     addTriangle(scene, addSurface(scene, false), osg::Vec3f(), osg::Vec3f(), osg::Vec3f());
-    EXPECT_TRUE(osg::ref_ptr<TransportScene>(new TransportScene(scene, osg::Vec3d(), 8))->empty());
+    EXPECT_TRUE(osg::ref_ptr<TransportScene>(new TransportScene(scene, osg::Vec3d(), 8, false))->empty());
     addTriangle(scene, 0, osg::Vec3f(), osg::Vec3f(1, 0, 0), osg::Vec3f(0, 1, 0));
-    EXPECT_FALSE(osg::ref_ptr<TransportScene>(new TransportScene(scene, osg::Vec3d(), 8))->empty()) << "one triangle";
+    EXPECT_FALSE(osg::ref_ptr<TransportScene>(new TransportScene(scene, osg::Vec3d(), 8, false))->empty()) << "one triangle";
 }
 
 TEST(TransportWorker, MakesTheNewestAlone)
@@ -125,7 +142,7 @@ TEST(TransportWorker, MakesTheNewestAlone)
     EXPECT_FALSE(worker.take());
     for (int i = 0; i < 20; ++i)
         worker.post([i](const std::atomic<bool>& stop) {
-            return osg::ref_ptr<TransportScene>(new TransportScene(makeBody(), osg::Vec3d(i, 0, 0), 4, &stop));
+            return osg::ref_ptr<TransportScene>(new TransportScene(makeBody(), osg::Vec3d(i, 0, 0), 4, false, &stop));
         });
     EXPECT_TRUE(worker.busy());
     const osg::ref_ptr<TransportScene> made = waitFor(worker);
@@ -141,7 +158,7 @@ TEST(TransportWorker, ForgetsWhatIsNotWanted)
     const auto job = [&](const std::atomic<bool>& stop) {
         while (!stop) std::this_thread::sleep_for(std::chrono::milliseconds(1));
         ++stopped;
-        return osg::ref_ptr<TransportScene>(new TransportScene(TracedScene(), osg::Vec3d(), 2));
+        return osg::ref_ptr<TransportScene>(new TransportScene(TracedScene(), osg::Vec3d(), 2, false));
     };
     worker.post(job);
     std::this_thread::sleep_for(std::chrono::milliseconds(20));

@@ -153,7 +153,7 @@ osg::ref_ptr<WatchedScene> makeScene()
 // Not in a state graph: what the shadow maps draw with, and the bounces.
 const Names ofShadowMaps = {"pass/caster.frag", "pass/caster.vert", "pass/emittermap.frag", "pass/midpoint.frag",
                             "pass/sunmap.frag"};
-const Names ofBounces = {"pass/pointradiance.frag", "pass/probeharmonics.frag", "pass/probes.frag"};
+const Names ofBounces = {"pass/pointradiance.frag", "pass/probeharmonics.frag", "pass/probes.frag", "pass/surfacecells.frag"};
 
 }  // namespace
 

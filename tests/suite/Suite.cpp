@@ -254,7 +254,7 @@ class Measurement
         };
         r.withoutBounce = compare(r.picture).tRmse;
         _settings.bounce = Settings::BOUNCE_PROBES;
-        _settings.reflections = Settings::REFLECTIONS_SCREEN;
+        _settings.reflections = Settings::REFLECTIONS_SCENE;
         const ErrorFigures e = compare(_renderer.render(&_lit));
         _settings.bounce = Settings::BOUNCE_OFF;
         _settings.reflections = Settings::REFLECTIONS_MAP;

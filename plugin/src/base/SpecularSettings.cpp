@@ -15,12 +15,12 @@ std::vector<SettingsProperty> SpecularSettings::properties()
         uniform(number("specularSamples", &S::specularSamples, 1, 1024, "samples per pixel",
                        "directions sampled from the BRDF for S, with specularMethod = sampled")),
         choice(
-            "reflections", &S::reflections, {"off", "map", "indirect", "screen"},
+            "reflections", &S::reflections, {"off", "map", "indirect", "screen", "scene"},
             "what glossy surfaces show: the map, whatever is in the way; the map where it is seen, and black else; there the "
             "scene's indirect light, that of its probes or the mean; or what the picture shows of the scene, and indirect light "
-            "where it shows nothing"),
+            "where it shows nothing; or there what rays through the scene's triangles meet, with bounce = probes"),
         uniform(number("reflectionSteps", &S::reflectionSteps, 1, 256, "points per ray",
-                       "points at which a reflected ray is compared with the depth buffer, with reflections = screen")),
+                       "points at which a reflected ray is compared with the depth buffer, with reflections = screen or scene")),
     };
 }
 

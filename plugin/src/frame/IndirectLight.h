@@ -14,6 +14,7 @@ struct IndirectLight {
     osg::ref_ptr<osg::Texture2D> diffuse;    // what their Lambert layers reflect
     osg::ref_ptr<osg::Texture2D> glossy;     // what their lobes reflect; null: none has one
     osg::ref_ptr<osg::Texture2D> emissions;  // null: none emits
+    osg::ref_ptr<osg::Texture2D> surfaceColors;  // SceneRays::colors(); null: no rays meet the scene
     TransportTargets targets;
     double mostReflected = 1.0;  // by any surface, of what it receives
 

@@ -36,6 +36,7 @@ void BounceDraw::drawImplementation(osg::RenderInfo& renderInfo) const
         drawInto(renderInfo, *_targets.harmonicsTarget, *_targets.probeHarmonics[0], *_states.harmonics);
         drawInto(renderInfo, *_targets.irradianceTarget, *_targets.probeIrradiance, *_states.probes);
     }
+    if (_states.cells) drawInto(renderInfo, *_targets.cellTarget, *_targets.cellLight, *_states.cells);
     for (size_t i = 0; i < _states.uniforms.size(); ++i) state.popStateSet();
     _timed.end(state);
     state.haveAppliedAttribute(osg::StateAttribute::VIEWPORT);

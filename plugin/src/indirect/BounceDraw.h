@@ -13,7 +13,7 @@ namespace osgEnvLight
 {
 
 /** Lets light go on between surface points and probes: what the points send on, then what the probes see of that, some times
- * over. Owned by one frame of one view; written at cull.*/
+ * over; in the end, what the cells of surfaces know of it. Owned by one frame of one view; written at cull.*/
 class OSGENVLIGHT_EXPORT BounceDraw : public osg::Drawable
 {
   public:
@@ -26,6 +26,7 @@ class OSGENVLIGHT_EXPORT BounceDraw : public osg::Drawable
         osg::ref_ptr<osg::StateSet> first;                  // of the points where the probes have seen nothing yet
         osg::ref_ptr<osg::StateSet> points;                 // where they have
         osg::ref_ptr<osg::StateSet> harmonics, probes;
+        osg::ref_ptr<osg::StateSet> cells;  // null: no rays meet the scene
     };
     /** @param fresh    the probes have seen nothing yet
      * @param bounces  in this frame */

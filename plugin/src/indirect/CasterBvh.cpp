@@ -13,7 +13,6 @@ namespace
 {
 
 constexpr int bins = 16;
-constexpr uint32_t leafSize = 4;
 constexpr int deepest = 64;  // levels; halves from 32 on, so that 2^32 triangles fit
 constexpr float nowhere = std::numeric_limits<float>::max();
 

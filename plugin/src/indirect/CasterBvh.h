@@ -34,9 +34,6 @@ class OSGENVLIGHT_EXPORT CasterBvh
     std::optional<Hit> nearest(const osg::Vec3f& origin, const osg::Vec3f& direction,
                                float within = std::numeric_limits<float>::max()) const;
 
-    size_t nodes() const { return _nodes.size(); }
-
-  private:
     struct Node {
         osg::BoundingBoxf box;
         uint32_t first = 0;  // of its triangles, or of its two children
@@ -44,8 +41,15 @@ class OSGENVLIGHT_EXPORT CasterBvh
     };
     struct Triangle {
         osg::Vec3f corner, edge, otherEdge;
-        uint32_t number;
+        uint32_t number;  // in the scene
     };
+    /** The first is the root; the children of a node follow each other. None: no ray meets anything. */
+    const std::vector<Node>& nodes() const { return _nodes; }
+    /** In the order of the leaves, each of which has leafSize at most. */
+    const std::vector<Triangle>& triangles() const { return _triangles; }
+    static constexpr uint32_t leafSize = 4;
+
+  private:
     struct Range;
     struct Split;
     Split bestSplit(const Range& range) const;
@@ -53,7 +57,7 @@ class OSGENVLIGHT_EXPORT CasterBvh
     void meet(const Node& leaf, const osg::Vec3f& origin, const osg::Vec3f& direction, Hit& hit) const;
 
     std::vector<Node> _nodes;
-    std::vector<Triangle> _triangles;       // in the order of the leaves
+    std::vector<Triangle> _triangles;
     std::vector<osg::BoundingBoxf> _boxes;  // of these, while it is built
 };
 

@@ -2,7 +2,7 @@
 #include "indirect/TransportScene.h"
 
 #include "base/Limits.h"
-#include "gl/TargetTexture.h"
+#include "indirect/Texels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,36 +19,10 @@ namespace
 constexpr int pointSide = limits::POINT_SIDE;
 constexpr int partSide = limits::POINT_PART_SIDE;
 
-struct Texels {
-    osg::ref_ptr<osg::Image> image;
-    int channels;
-
-    Texels(int width, int height, int count) : image(new osg::Image), channels(count)
-    {
-        static const GLenum formats[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
-        image->allocateImage(width, height, 1, formats[channels - 1], GL_FLOAT);
-        std::fill_n(reinterpret_cast<float*>(image->data()), size_t(width) * size_t(height) * size_t(channels), 0.0f);
-    }
-    float* at(int x, int y) { return reinterpret_cast<float*>(image->data(unsigned(x), unsigned(y))); }
-    float* at(int i) { return at(i % image->s(), i / image->s()); }
-    void put(int i, const osg::Vec3f& v, float w)
-    {
-        std::copy_n(v.ptr(), 3, at(i));
-        at(i)[3] = w;
-    }
-
-    osg::ref_ptr<osg::Texture2D> texture(GLint format) const
-    {
-        osg::ref_ptr<osg::Texture2D> t = targetTexture(image->s(), image->t(), format);
-        image->setInternalTextureFormat(format);
-        t->setImage(image);
-        return t;
-    }
-};
-
 }  // namespace
 
-TransportScene::TransportScene(const TracedScene& scene, const osg::Vec3d& place, int most, const std::atomic<bool>* stop)
+TransportScene::TransportScene(const TracedScene& scene, const osg::Vec3d& place, int most, bool traced,
+                               const std::atomic<bool>* stop)
     : origin(place)
 {
     const std::vector<SurfacePoint> points = placeSurfacePoints(scene, unsigned(pointSide * pointSide));
@@ -57,7 +31,10 @@ TransportScene::TransportScene(const TracedScene& scene, const osg::Vec3d& place
     const NearestPoint nearest(points, scene, bvh);
     const ProbeGrid grid(scene, bvh, nearest, most, stop);
     if (stop && *stop) return;
-    writeParts(placeSurfaceParts(scene, points, nearest, unsigned(partSide * partSide)));
+    const auto partsPerPoint = unsigned(partSide * partSide);
+    const std::vector<SurfacePart> parts = placeSurfaceParts(scene, points, nearest, partsPerPoint);
+    if (traced && scene.triangles.size() <= SceneRays::mostTriangles) rays = new SceneRays(scene, bvh, parts, partsPerPoint);
+    writeParts(parts);
     writePoints(points);
     writeProbes(grid);
 }
@@ -167,8 +144,11 @@ osg::ref_ptr<osg::Texture2D> TransportScene::emissions(const StaticCasters::Part
 std::vector<osg::Texture2D*> TransportScene::textures() const
 {
     if (empty()) return {};
-    return {pointPlaces.get(), pointNormals.get(), partPlaces.get(), partNormals.get(),
-            probePlaces.get(), probeLinks.get(),   probeBasis.get(), probeDepths.get()};
+    std::vector<osg::Texture2D*> all = {pointPlaces.get(), pointNormals.get(), partPlaces.get(), partNormals.get(),
+                                        probePlaces.get(), probeLinks.get(),   probeBasis.get(), probeDepths.get()};
+    if (!rays) return all;
+    for (osg::Texture2D* t : rays->textures()) all.push_back(t);
+    return all;
 }
 
 size_t TransportScene::bytes() const

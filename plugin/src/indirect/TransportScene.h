@@ -2,6 +2,7 @@
 #pragma once
 
 #include "indirect/ProbeGrid.h"
+#include "indirect/SceneRays.h"
 
 #include <osg/StateSet>
 #include <osg/Texture2D>
@@ -18,8 +19,10 @@ class OSGENVLIGHT_EXPORT TransportScene : public osg::Referenced
      * @param scene   about an origin
      * @param origin  of the scene, in the world
      * @param most    as of ProbeGrid
+     * @param traced  rays are to meet it
      * @param stop    set by another thread: empty() */
-    TransportScene(const TracedScene& scene, const osg::Vec3d& origin, int most, const std::atomic<bool>* stop = nullptr);
+    TransportScene(const TracedScene& scene, const osg::Vec3d& origin, int most, bool traced,
+                   const std::atomic<bool>* stop = nullptr);
 
     /** There is no surface that could send light on, or it was stopped. */
     bool empty() const { return !pointPlaces; }
@@ -41,6 +44,9 @@ class OSGENVLIGHT_EXPORT TransportScene : public osg::Referenced
     osg::ref_ptr<osg::Texture2D> probeBasis;
     // columns x columns octahedral maps, each with a border of one texel: distance and its square.
     osg::ref_ptr<osg::Texture2D> probeDepths;
+
+    /** Null: none were asked for, or it has more than SceneRays::mostTriangles. */
+    osg::ref_ptr<SceneRays> rays;
 
     /** The above as pass/probegrid.glsl takes it. */
     osg::ref_ptr<osg::StateSet> uniforms;

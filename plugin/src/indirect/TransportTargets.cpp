@@ -15,6 +15,12 @@ osg::ref_ptr<osg::Texture2D> pointTarget()
     return targetTexture(limits::POINT_SIDE, limits::POINT_SIDE, GL_RGBA32F_ARB);
 }
 
+void filterLinearly(osg::Texture2D& texture)
+{
+    texture.setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR);
+    texture.setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
+}
+
 }  // namespace
 
 TransportTargets::TransportTargets(int columnCount, int probeCount)
@@ -33,8 +39,7 @@ TransportTargets::TransportTargets(int columnCount, int probeCount)
         harmonicsTarget->setAttachment(osg::Camera::BufferComponent(osg::Camera::COLOR_BUFFER0 + i),
                                        osg::FrameBufferAttachment(probeHarmonics[i]));
     }
-    probeIrradiance->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR);
-    probeIrradiance->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
+    filterLinearly(*probeIrradiance);
 }
 
 void TransportTargets::makePointMirrored()
@@ -42,11 +47,25 @@ void TransportTargets::makePointMirrored()
     pointMirrored = pointTarget();
 }
 
+void TransportTargets::makeCellLight(int width, int height)
+{
+    cellLight = targetTexture(width, height, GL_RGBA32F_ARB);
+    filterLinearly(*cellLight);
+    cellTarget = frameBufferOf(cellLight);
+}
+
+std::vector<osg::FrameBufferObject*> TransportTargets::frameBuffers() const
+{
+    std::vector<osg::FrameBufferObject*> all = {radianceTarget.get(), harmonicsTarget.get(), irradianceTarget.get()};
+    if (cellTarget) all.push_back(cellTarget.get());
+    return all;
+}
+
 std::vector<osg::Texture2D*> TransportTargets::textures() const
 {
     std::vector<osg::Texture2D*> all;
-    for (const auto& t :
-         {pointLight, pointMirrored, pointRadiance, probeHarmonics[0], probeHarmonics[1], probeHarmonics[2], probeIrradiance})
+    for (const auto& t : {pointLight, pointMirrored, pointRadiance, probeHarmonics[0], probeHarmonics[1], probeHarmonics[2],
+                          probeIrradiance, cellLight})
         if (t) all.push_back(t.get());
     return all;
 }

@@ -27,15 +27,15 @@ struct OSGENVLIGHT_EXPORT TransportTargets {
     osg::ref_ptr<osg::Texture2D> pointRadiance;                                           // as pass/pointradiance.frag
     std::array<osg::ref_ptr<osg::Texture2D>, limits::HARMONICS_TEXTURES> probeHarmonics;  // as pass/probeharmonics.frag
     osg::ref_ptr<osg::Texture2D> probeIrradiance;                                         // as pass/probes.frag
-    osg::ref_ptr<osg::FrameBufferObject> radianceTarget, harmonicsTarget, irradianceTarget;
+    osg::ref_ptr<osg::Texture2D> cellLight;                                               // as pass/surfacecells.frag; or null
+    osg::ref_ptr<osg::FrameBufferObject> radianceTarget, harmonicsTarget, irradianceTarget, cellTarget;
 
     void makePointMirrored();
+    /** @param width, height  of SceneRays */
+    void makeCellLight(int width, int height);
 
     std::vector<osg::Texture2D*> textures() const;
-    std::vector<osg::FrameBufferObject*> frameBuffers() const
-    {
-        return {radianceTarget.get(), harmonicsTarget.get(), irradianceTarget.get()};
-    }
+    std::vector<osg::FrameBufferObject*> frameBuffers() const;
     size_t bytes() const;
     void resizeGLObjectBuffers(unsigned maximum) const;
     void releaseGLObjects(osg::State* state) const;

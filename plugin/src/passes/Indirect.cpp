@@ -177,8 +177,10 @@ BounceDraw::States BouncesPass::statesOf(PassBuilder& b, FrameContext& c) const
                        {"pointNormalMap", scene.pointNormals},
                        {"pointLightMap", light.targets.pointLight},
                        {"pointDiffuseMap", light.diffuse}};
+    Samplers cells = {{"pointRadianceMap", light.targets.pointRadiance}, {"pointDiffuseMap", light.diffuse}};
     std::vector<std::string> defines;
     if (light.glossy) {
+        cells.push_back({"pointGlossyMap", light.glossy});
         defines.push_back("HAS_GLOSS");
         points.push_back({"pointGlossyMap", light.glossy});
         points.push_back({"pointMirroredMap", light.targets.pointMirrored});
@@ -186,6 +188,7 @@ BounceDraw::States BouncesPass::statesOf(PassBuilder& b, FrameContext& c) const
     if (light.emissions) {
         defines.push_back("HAS_EMISSION");
         points.push_back({"pointEmissionMap", light.emissions});
+        cells.push_back({"pointEmissionMap", light.emissions});
     }
     BounceDraw::States states;
     states.uniforms = {c.frame.uniforms, &c.frame.settingsState(SurfaceSettings::properties, c.settings), scene.uniforms};
@@ -198,6 +201,10 @@ BounceDraw::States BouncesPass::statesOf(PassBuilder& b, FrameContext& c) const
     points.push_back({"probeDepthMap", scene.probeDepths});
     points.push_back({"probeIrradianceMap", light.targets.probeIrradiance});
     states.points = state("pass/pointradiance.frag", defines, points);
+    if (scene.rays) {
+        cells.push_back({"cellPointMap", scene.rays->cellPoints});
+        states.cells = state("pass/surfacecells.frag", defines, cells);
+    }
     states.harmonics = state("pass/probeharmonics.frag", {},
                              {{"probeLinkMap", scene.probeLinks},
                               {"probeBasisMap", scene.probeBasis},

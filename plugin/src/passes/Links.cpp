@@ -43,7 +43,7 @@ void LinksPass::update(FrameContext& c)
     if (_lost.exchange(false)) _light.fresh = true;
     const StaticCasters& casters = c.skyMaps->still();
     if (const osg::ref_ptr<TransportScene> made = _worker.take()) accept(made);
-    const Wanted wanted{c.skyMaps, casters.generation(), c.settings.bounceProbes};
+    const Wanted wanted{c.skyMaps, casters.generation(), c.settings.bounceProbes, wantsRays(c)};
     if (!(wanted == _wanted)) makeScene(c, wanted);
     if (_isShown && _sentVersion != casters.sentVersion()) {
         _sentVersion = casters.sentVersion();
@@ -58,14 +58,27 @@ void LinksPass::update(FrameContext& c)
     if (_worker.busy() || (c.indirect && _light.isSettling())) ++c.waitingBounces;
 }
 
+// From glossy surfaces, where the picture does not show what they meet; whether or not the view shows one.
+bool LinksPass::wantsRays(const FrameContext& c)
+{
+    const StaticCasters& casters = c.skyMaps->still();
+    if (_mirrorsVersion != casters.sentVersion() || _wanted.atlas != c.skyMaps || _wanted.generation != casters.generation()) {
+        const StaticCasters::Parts parts = casters.parts();
+        _hasMirrors = std::any_of(parts.begin(), parts.end(),
+                                  [](const StaticCasters::Part& part) { return part.sent.glossy != osg::Vec3f(); });
+        _mirrorsVersion = casters.sentVersion();
+    }
+    return _hasMirrors && c.settings.reflections == Settings::REFLECTIONS_SCENE;
+}
+
 void LinksPass::makeScene(const FrameContext& c, const Wanted& wanted)
 {
     _wanted = wanted;
     _wantedParts = c.skyMaps->still().parts();
     _isShown = false;
-    const auto make = [parts = _wantedParts, origin = c.skyMaps->origin(),
-                       probes = wanted.probes](const std::atomic<bool>* stop) {
-        return osg::ref_ptr<TransportScene>(new TransportScene(tracedScene(parts), origin, probes, stop));
+    const auto make = [parts = _wantedParts, origin = c.skyMaps->origin(), probes = wanted.probes,
+                       traced = wanted.traced](const std::atomic<bool>* stop) {
+        return osg::ref_ptr<TransportScene>(new TransportScene(tracedScene(parts), origin, probes, traced, stop));
     };
     if (c.settings.regeneration == Settings::IMMEDIATE)
         accept(make(nullptr));
@@ -81,10 +94,12 @@ void LinksPass::accept(const osg::ref_ptr<TransportScene>& scene)
     if (scene->empty()) return;
     showSurfaces(_wantedParts);
     const int probes = scene->count[0] * scene->count[1] * scene->count[2];
-    if (probes == _light.targets.probes) return;  // what the probes saw in the former scene is a beginning in this one
-    retireTargets();
-    _light.targets = TransportTargets(scene->columns, probes);
-    _light.fresh = true;
+    if (probes != _light.targets.probes) {  // else what they saw in the former scene is a beginning in this one
+        retireTargets();
+        _light.targets = TransportTargets(scene->columns, probes);
+        _light.fresh = true;
+    }
+    keepCells();
 }
 
 void LinksPass::showSurfaces(const StaticCasters::Parts& parts)
@@ -92,6 +107,7 @@ void LinksPass::showSurfaces(const StaticCasters::Parts& parts)
     _light.diffuse = _light.scene->diffuse(parts);
     _light.glossy = _light.scene->glossy(parts);
     _light.emissions = _light.scene->emissions(parts);
+    _light.surfaceColors = _light.scene->rays ? SceneRays::colors(parts) : nullptr;
     _light.mostReflected = mostReflectedBy(parts);
 }
 
@@ -106,6 +122,19 @@ void LinksPass::keepMirrored()
     }
     _retired->add(mirrored.get());
     mirrored = nullptr;
+}
+
+// The target of what rays see of surfaces, while there are rays.
+void LinksPass::keepCells()
+{
+    TransportTargets& targets = _light.targets;
+    if (targets.cellLight) {
+        _retired->add(targets.cellLight.get());
+        _retired->add(targets.cellTarget.get());
+    }
+    targets.cellLight = nullptr;
+    targets.cellTarget = nullptr;
+    if (const SceneRays* rays = _light.scene->rays) targets.makeCellLight(rays->cellColumns, rays->cellRows);
 }
 
 void LinksPass::retireTargets()
@@ -135,12 +164,19 @@ void LinksPass::dismiss(FrameContext& c)
     _frames = 0;
 }
 
+std::vector<osg::Texture2D*> LinksPass::surfaceTextures() const
+{
+    std::vector<osg::Texture2D*> all;
+    for (const auto& t : {_light.diffuse, _light.glossy, _light.emissions, _light.surfaceColors})
+        if (t) all.push_back(t.get());
+    return all;
+}
+
 size_t LinksPass::bytes() const
 {
     if (!_light.scene) return 0;
     size_t sum = _light.scene->bytes() + _light.targets.bytes();
-    for (const auto& t : {_light.diffuse, _light.glossy, _light.emissions})
-        if (t) sum += bytesOf(*t);
+    for (const osg::Texture2D* t : surfaceTextures()) sum += bytesOf(*t);
     return sum;
 }
 
@@ -148,16 +184,14 @@ void LinksPass::resizeGLObjectBuffers(unsigned maximum)
 {
     _light.targets.resizeGLObjectBuffers(maximum);
     if (_light.scene) _light.scene->resizeGLObjectBuffers(maximum);
-    for (const auto& t : {_light.diffuse, _light.glossy, _light.emissions})
-        if (t) t->resizeGLObjectBuffers(maximum);
+    for (osg::Texture2D* t : surfaceTextures()) t->resizeGLObjectBuffers(maximum);
 }
 
 void LinksPass::releaseGLObjects(osg::State* state) const
 {
     _light.targets.releaseGLObjects(state);
     if (_light.scene) _light.scene->releaseGLObjects(state);
-    for (const auto& t : {_light.diffuse, _light.glossy, _light.emissions})
-        if (t) t->releaseGLObjects(state);
+    for (const osg::Texture2D* t : surfaceTextures()) t->releaseGLObjects(state);
     _lost = true;
 }
 

@@ -40,12 +40,19 @@ class OSGENVLIGHT_EXPORT LinksPass : public RenderPass
         osg::observer_ptr<const ShadowAtlas> atlas;  // whose casters it shows
         unsigned generation = 0;                     // of these
         int probes = 0;
-        bool operator==(const Wanted& o) const { return atlas == o.atlas && generation == o.generation && probes == o.probes; }
+        bool traced = false;  // rays are to meet it
+        bool operator==(const Wanted& o) const
+        {
+            return atlas == o.atlas && generation == o.generation && probes == o.probes && traced == o.traced;
+        }
     };
+    bool wantsRays(const FrameContext& context);
     void makeScene(const FrameContext& context, const Wanted& wanted);
     void accept(const osg::ref_ptr<TransportScene>& scene);
     void showSurfaces(const StaticCasters::Parts& parts);
     void keepMirrored();
+    void keepCells();
+    std::vector<osg::Texture2D*> surfaceTextures() const;
     void retireTargets();
 
     const osg::ref_ptr<RetiredObjects> _retired;
@@ -53,9 +60,11 @@ class OSGENVLIGHT_EXPORT LinksPass : public RenderPass
     IndirectLight _light;
     Wanted _wanted;  // that a scene was last asked for
     StaticCasters::Parts _wantedParts;
-    bool _isShown = false;      // the scene is of these
-    unsigned _sentVersion = 0;  // of the light that they send on
-    unsigned _frames = 0;       // without a scene
+    bool _hasMirrors = false;      // something in the scene is glossy
+    unsigned _mirrorsVersion = 0;  // of the light that its surfaces send on, by which that is known
+    bool _isShown = false;         // the scene is of these
+    unsigned _sentVersion = 0;     // of the light that they send on
+    unsigned _frames = 0;          // without a scene
     mutable std::atomic<bool> _lost{false};
 };
 

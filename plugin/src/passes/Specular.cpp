@@ -60,9 +60,29 @@ void readSunsOfLobes(PassBuilder& b, FrameContext& c)
 Requirement requireReflections(const FrameContext& c)
 {
     Requirement reflections = requireSpecular(c);
-    reflections.unless(c.settings.reflections != Settings::REFLECTIONS_SCREEN, "switched off");
+    reflections.unless(c.settings.reflections < Settings::REFLECTIONS_SCREEN, "switched off");
     reflections.unless(c.settings.view != Settings::BEAUTY, "an intermediate is shown");
     return reflections.unless(!c.decisions.atlas.needed, "without the atlas nobody knows what blocks the map");
+}
+
+// What rays meet where the picture does not show it.
+void readSceneRays(PassBuilder& b, FrameContext& c)
+{
+    if (c.settings.reflections != Settings::REFLECTIONS_SCENE || !c.indirect) return;
+    const IndirectLight& light = *c.indirect;
+    if (!light.scene->rays) return c.remark(", no rays through so many triangles");
+    b.define("HAS_SCENE_RAYS");
+    b.settings<SurfaceSettings>();
+    b.bind(light.scene->rays->nodes, "rayNodeMap");
+    b.bind(light.scene->rays->triangles, "rayTriangleMap");
+    b.bind(light.surfaceColors, "surfaceColorMap");
+    b.bind(light.targets.cellLight, "cellLightMap");
+    b.frameUniforms(light.scene->rays->uniforms);
+    b.frameUniforms(&c.frame.probeState(light.share));
+    b.shadowOrigin(light.scene->origin);
+    b.read(b.find("blocked lobe"), "blockedLobeMap");
+    b.read("blocked coat", "blockedCoatMap");
+    c.remark(", else what rays through the scene meet");
 }
 
 const TextureDesc sums = {GL_RGBA32F_ARB};          // radiance of a mirrored sun exceeds half floats in units of the map's mean
@@ -181,6 +201,7 @@ void ReflectionsPass::setup(PassBuilder& b, FrameContext& c)
         b.define("HAS_AREA_LIGHTS");
         b.read("emission", "emissionMap");
     }
+    readSceneRays(b, c);
     b.drawMarked(b.find("pixel marks"), limits::MARK_TRACED);
     b.write(b.create("reflection", {GL_RGBA32F_ARB}));
 }

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// What a ray sees of the scene's surfaces: each has one colour, and the light of the surface points about the place [pass/surfacecells.frag].
+#ifndef SCENECELLS_GLSL
+#define SCENECELLS_GLSL
+
+#include "pass/scenerays.glsl"
+#include "pass/hostcolor.glsl"
+
+uniform sampler2D rayNodeMap;
+uniform sampler2D rayTriangleMap;
+uniform sampler2D surfaceColorMap;
+uniform sampler2D cellLightMap;  // facings side by side, of each the cells; layers one over the other
+uniform vec3 cellsLow;
+uniform float cellWidth;
+uniform ivec3 cellCount;
+uniform float radianceScale;
+
+// Of the layer of cells: between four of them.
+vec4 layerLight(int facing, int layer, vec2 at)
+{
+    vec2 corner = vec2(facing * cellCount.x, layer * cellCount.y);
+    return textureLod(cellLightMap, (corner + clamp(at, vec2(0.5), vec2(cellCount.xy) - 0.5)) / vec2(textureSize(cellLightMap, 0)), 0.0);
+}
+
+// What a white surface sends at a place, times how sure that is, in units of the map's mean. n: of unit length.
+vec4 lightAt(vec3 place, vec3 n)
+{
+    vec3 at = (place - cellsLow) / cellWidth;
+    float z = clamp(at.z - 0.5, 0.0, float(cellCount.z) - 1.0);
+    int layer = min(int(z), max(cellCount.z - 2, 0));
+    vec4 sum = vec4(0.0);
+    for (int k = 0; k < 3; ++k) {
+        int facing = 2 * k + (n[k] > 0.0 ? 1 : 0);
+        vec4 below = layerLight(facing, layer, at.xy);
+        vec4 above = layerLight(facing, min(layer + 1, cellCount.z - 1), at.xy);
+        sum += n[k] * n[k] * mix(below, above, z - float(layer));
+    }
+    return sum;
+}
+
+// Radiance that the ray meets, times the share of it that is known; that share.
+vec4 sceneRadiance(vec3 origin, vec3 direction, float within)
+{
+    SceneHit hit = sceneHit(rayNodeMap, rayTriangleMap, origin, direction, within);
+    if (hit.distance == MISSED) return vec4(0.0);
+    vec4 light = lightAt(origin + hit.distance * direction, normalize(hit.normal));
+    vec3 reflected = rayTexel(surfaceColorMap, 2 * hit.surface).rgb;
+    vec3 emitted = rayTexel(surfaceColorMap, 2 * hit.surface + 1).rgb * (materialColors == 0 ? exp2(emittedStops) : 1.0);
+    float sure = smoothstep(0.0, 0.1, light.a);
+    return sure * vec4(radianceScale * reflected * light.rgb / max(light.a, 1e-20) + emitted, 1.0);
+}
+
+#endif

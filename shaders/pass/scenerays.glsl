@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// Where does a ray meet a triangle of the scene? A hierarchy of boxes over them, in textures. The children of a node follow each other; a
+// node has two texels, the corners of its box. The first one's w is its first child, or, below 0, of a leaf, its first triangle and how
+// many it has. A triangle has three texels: a corner, with the number of its surface, and the edges from there.
+#ifndef SCENERAYS_GLSL
+#define SCENERAYS_GLSL
+
+#include "lib/limits.glsl"
+
+const float MISSED = 3e38;
+const int MOST_WAITING = 64;  // nodes; one a level at most
+
+struct SceneHit {
+    float distance;  // MISSED: nothing is met
+    vec3 normal;     // of any length, against the ray
+    int surface;
+};
+
+vec4 rayTexel(sampler2D table, int i)
+{
+    return texelFetch(table, ivec2(i & (RAY_COLUMNS - 1), i / RAY_COLUMNS), 0);
+}
+
+// Where a ray enters a box, or MISSED. inverse: of its direction.
+float boxEntry(vec3 low, vec3 high, vec3 origin, vec3 inverse, float limit)
+{
+    vec3 a = (low - origin) * inverse;
+    vec3 b = (high - origin) * inverse;
+    vec3 near = min(a, b);
+    vec3 far = max(a, b);
+    float from = max(max(near.x, near.y), max(near.z, 0.0));
+    float to = min(min(far.x, far.y), min(far.z, limit));
+    return from <= to ? from : MISSED;
+}
+
+// [Moeller, Trumbore 1997]. Each triangle is a little larger than it is, so that no ray passes between two that share an edge.
+void meetTriangle(sampler2D triangles, int i, vec3 origin, vec3 direction, inout SceneHit hit)
+{
+    const float margin = 1e-5;  // of an edge, beyond what single precision loses
+    vec4 corner = rayTexel(triangles, 3 * i);
+    vec3 edge = rayTexel(triangles, 3 * i + 1).xyz;
+    vec3 otherEdge = rayTexel(triangles, 3 * i + 2).xyz;
+    vec3 p = cross(direction, otherEdge);
+    float determinant = dot(edge, p);
+    float inverse = 1.0 / (determinant == 0.0 ? 1.0 : determinant);
+    vec3 to = origin - corner.xyz;
+    float u = dot(to, p) * inverse;
+    vec3 q = cross(to, edge);
+    float v = dot(direction, q) * inverse;
+    float distance = dot(otherEdge, q) * inverse;
+    if (determinant == 0.0 || u < -margin || u > 1.0 + margin || v < -margin || u + v > 1.0 + margin) return;
+    if (!(distance > 0.0 && distance < hit.distance)) return;
+    hit = SceneHit(distance, cross(edge, otherEdge) * (determinant > 0.0 ? 1.0 : -1.0), int(corner.w));
+}
+
+// The nearest one. direction: of unit length.
+SceneHit sceneHit(sampler2D nodes, sampler2D triangles, vec3 origin, vec3 direction, float within)
+{
+    vec3 inverse = 1.0 / mix(direction, vec3(1e-20), lessThan(abs(direction), vec3(1e-20)));
+    SceneHit hit = SceneHit(within, vec3(0.0), 0);
+    int waiting[MOST_WAITING];
+    int count = 0;
+    vec4 root = rayTexel(nodes, 0);
+    int at = int(root.w);
+    if (boxEntry(root.xyz, rayTexel(nodes, 1).xyz, origin, inverse, within) == MISSED) at = 0;
+    while (at != 0) {
+        while (at > 0) {
+            vec4 first = rayTexel(nodes, 2 * at);
+            vec4 second = rayTexel(nodes, 2 * at + 2);
+            float a = boxEntry(first.xyz, rayTexel(nodes, 2 * at + 1).xyz, origin, inverse, hit.distance);
+            float b = boxEntry(second.xyz, rayTexel(nodes, 2 * at + 3).xyz, origin, inverse, hit.distance);
+            bool secondFirst = b < a;
+            if (a != MISSED && b != MISSED) waiting[count++] = int(secondFirst ? first.w : second.w);
+            if (min(a, b) != MISSED)
+                at = int(secondFirst ? second.w : first.w);
+            else
+                at = count > 0 ? waiting[--count] : 0;
+        }
+        int next = -at / RAY_LEAF;
+        int last = next + (-at & (RAY_LEAF - 1));
+        while (next < last) meetTriangle(triangles, next++, origin, direction, hit);
+        at = count > 0 ? waiting[--count] : 0;
+    }
+    if (hit.distance == within) hit.distance = MISSED;
+    return hit;
+}
+
+#endif

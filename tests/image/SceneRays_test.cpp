@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// Mirrors show what is behind the eye, or hidden from it.
+#include <SceneRenderer.h>
+
+#include <metrics/Mask>
+#include <metrics/Metrics>
+#include <osgEnvLight/Material>
+
+#include <gtest/gtest.h>
+
+#include "TracedView.h"
+
+namespace SceneRays_test
+{
+
+using osgEnvLight::Layer;
+using osgEnvLight::LitScene;
+using osgEnvLight::Mask;
+using osgEnvLight::Material;
+using osgEnvLight::ReferenceOptions;
+using osgEnvLight::Settings;
+
+namespace
+{
+
+osg::ref_ptr<LitScene> makeScene(osg::Image* map)
+{
+    const osg::ref_ptr<LitScene> lit = makeLit(map);
+    lit->getSettings()->regeneration = Settings::IMMEDIATE;
+    lit->getSettings()->bounce = Settings::BOUNCE_PROBES;
+    return lit;
+}
+
+osg::StateSet& addWall(LitScene& lit, const osg::Vec3d& corner, const osg::Vec3d& across, const osg::Vec3d& up)
+{
+    const osg::ref_ptr<osg::Geode> wall = makeQuad(corner, across, up);
+    lit.addChild(wall);
+    return *wall->getOrCreateStateSet();
+}
+
+// Upright, facing -y.
+void addMirror(LitScene& lit, float roughness)
+{
+    osg::StateSet& mirror = addWall(lit, osg::Vec3d(-3, 0, -3), osg::Vec3d(6, 0, 0), osg::Vec3d(0, 0, 6));
+    Material::setCookTorrance(mirror, osg::Vec3f(1, 1, 1), 1.0f, roughness);
+}
+
+// Behind the eye, facing it: one half each side of x = 0.
+void addWallsBehindTheEye(LitScene& lit, bool glow)
+{
+    for (const bool right : {false, true}) {
+        osg::StateSet& wall = addWall(lit, osg::Vec3d(right ? 6 : 0, -8, -5), osg::Vec3d(-6, 0, 0), osg::Vec3d(0, 0, 10));
+        const osg::Vec3f color = right ? osg::Vec3f(0.1f, 0.2f, 0.8f) : osg::Vec3f(0.8f, 0.2f, 0.1f);
+        Material::setLambert(wall, glow ? osg::Vec3f() : color);
+        if (!glow) continue;
+        Material::setEmission(wall, color);
+        Material::setLight(wall, Material::LIGHT_OFF);
+    }
+}
+
+void lookIntoMirror(SceneRenderer& renderer)
+{
+    renderer.lookAt(osg::Vec3d(0, -4, 0.5), osg::Vec3d(0, 0, 0.5), osg::Vec3d(0, 0, 1), 50.0);
+}
+
+double errorOf(LitScene& lit, SceneRenderer& renderer, int reflections, const Picture& truth)
+{
+    lit.getSettings()->reflections = reflections;
+    return osgEnvLight::compare(renderer.render(&lit), truth, Mask::geometry(truth)).tRmse;
+}
+
+}  // namespace
+
+// What is at (x, y, z) is seen at (x, -y, z): in the mirror that is where the wall's halves have to be, as bright as without it.
+TEST(SceneRays, AMirrorShowsWhatGlowsBehindTheEye)
+{
+    const osg::ref_ptr<LitScene> lit = makeScene(constantMap(0.01).get());
+    addMirror(*lit, 0.0f);
+    addWallsBehindTheEye(*lit, true);
+    SceneRenderer renderer(96, 96);
+    lookIntoMirror(renderer);
+    std::vector<osg::Vec2d> places;
+    for (const double x : {-1.5, -0.2, 0.2, 1.5}) places.push_back(renderer.pixelOf(osg::Vec3d(x, 8, 0.5)));
+    const Picture mirrored = renderer.render(lit);
+    renderer.lookAt(osg::Vec3d(0, -4, 0.5), osg::Vec3d(0, -8, 0.5), osg::Vec3d(0, 0, 1), 60.0);
+    const Picture direct = renderer.render(lit);
+    for (size_t i = 0; i < places.size(); ++i) {
+        const bool right = i >= 2;
+        const osg::Vec2d wall = renderer.pixelOf(osg::Vec3d(right ? 1.0 : -1.0, -8, 0.5));
+        for (int c = 0; c < 3; ++c) {
+            const double sent = direct.color(int(wall.x()), int(wall.y()))[c];
+            EXPECT_NEAR(sent, mirrored.color(int(places[i].x()), int(places[i].y()))[c], 0.02 * sent + 0.002)
+                << "place " << i << " channel " << c;
+        }
+    }
+}
+
+// Beside full light transport. tRMSE at these roughnesses, measured: with rays .044, .055, .023, without .198, .109, .043.
+TEST(SceneRays, LobesShowLitWallsBehindTheEye)
+{
+    for (const float roughness : {0.03f, 0.2f, 0.35f}) {
+        const osg::ref_ptr<LitScene> lit = makeScene(lopsidedMap().get());
+        addMirror(*lit, roughness);
+        addWallsBehindTheEye(*lit, false);
+        SceneRenderer renderer(96, 96);
+        lookIntoMirror(renderer);
+        const Picture truth = tracedView(*lit, renderer, 256, {Layer::BEAUTY}, false, ReferenceOptions::FULL).mean(Layer::BEAUTY);
+        const double without = errorOf(*lit, renderer, Settings::REFLECTIONS_SCREEN, truth),
+                     with = errorOf(*lit, renderer, Settings::REFLECTIONS_SCENE, truth);
+        EXPECT_LT(with, 0.6 * without) << "roughness " << roughness << ": " << with << " of " << without;
+    }
+}
+
+// A floor that is polished, or painted over, while the program runs.
+TEST(SceneRays, FollowAPolishThatChanges)
+{
+    const osg::ref_ptr<LitScene> lit = makeScene(constantMap(1.0).get());
+    addMirror(*lit, 0.0f);
+    addWallsBehindTheEye(*lit, false);
+    osg::StateSet& mirror = *lit->getChild(0)->getStateSet();
+    SceneRenderer renderer(64, 64);
+    lookIntoMirror(renderer);
+    const Picture polished = renderer.render(lit);
+    Material::setLambert(mirror, osg::Vec3f(0.5f, 0.5f, 0.5f));
+    const Picture painted = renderer.render(lit, 2);
+    EXPECT_GT(largestDifference(polished, painted), 0.1);
+    Material::setCookTorrance(mirror, osg::Vec3f(1, 1, 1), 1.0f, 0.0f);
+    EXPECT_LT(largestDifference(polished, renderer.render(lit, 2)), 0.01);
+    EXPECT_NE(std::string::npos, lit->plan().reason("reflections").find("rays through the scene"))
+        << lit->plan().reason("reflections") << "; " << lit->plan().reason("links") << "; " << lit->plan().reason("bounces");
+}
+
+}  // namespace SceneRays_test
