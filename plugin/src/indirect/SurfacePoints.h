@@ -35,7 +35,7 @@ class OSGENVLIGHT_EXPORT NearestPoint
 
   private:
     using Accept = std::function<bool(const SurfacePoint&)>;
-    static const unsigned none = ~0u;
+    static constexpr unsigned none = ~0u;
     unsigned find(const osg::Vec3f& position, const osg::Vec3f& normal, unsigned surface, const Accept& accept) const;
     bool sees(const osg::Vec3f& position, const osg::Vec3f& normal, const SurfacePoint& point) const;
     int cellAlong(int axis, float position) const;

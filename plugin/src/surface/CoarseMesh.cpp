@@ -96,7 +96,7 @@ struct Cells {
     }
 
   private:
-    static const unsigned unset = ~0u;
+    static constexpr unsigned unset = ~0u;
 
     void addPlane(const Mesh& mesh, const Triangle& t)
     {
