@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: MIT
 // S of clear coats. Their lobes are narrow: each pixel takes all samples of its own, and asks the map's lights near its lobe what the
 // scene leaves of it; nothing is averaged over cells.
-#pragma import_defines(HAS_SUNS, HAS_LOBE_LIGHTS)
+#pragma import_defines(HAS_SUNS, HAS_LOBE_LIGHTS, MAP_IS_BLACK)
 
 #include "pass/lobesamples.glsl"
 #include "pass/pixelbsdf.glsl"
@@ -56,16 +56,19 @@ void main()
 #endif
 #ifdef HAS_COATS
     PixelCoat c = pixelCoat(p);
-    LobePixel l = lobePixel(c);
-    vec4 estimate = sampled(l);
-    coatTerm.rgb = estimate.rgb / max(estimate.a, 1e-6);
+    vec3 shown = vec3(1.0);
 #if defined(HAS_LOBE_LIGHTS) && defined(HAS_ATLAS)
     LobeSeen seen = coatSeen(p, c);
-    coatTerm.rgb *= seen.light;
+    shown = seen.light;
     blockedCoat = (1.0 - seen.sky) * vec4(c.bsdf.reflected, 1.0);
 #endif
+#ifndef MAP_IS_BLACK
+    LobePixel l = lobePixel(c);
+    vec4 estimate = sampled(l);
+    coatTerm.rgb = shown * estimate.rgb / max(estimate.a, 1e-6);
 #ifdef HAS_SUNS
     coatTerm.rgb += glint(l);
+#endif
 #endif
 #endif
 }

@@ -4,7 +4,7 @@
 // S, last part: the rows' sums filtered along columns. The map's radiance in the lobe is a ratio of two sums, so that an even map is
 // reflected exactly. What the scene leaves of it is a ratio of sums over lights, one for each colour [specular.md 4]. Suns and coats are added.
 // LOBES_SHARP: a still view's later frames average over time instead, and take what is blocked light by light.
-#pragma import_defines(HAS_SUNS, LOBES_SHARP, HAS_SHOWN, KEEPS_SHOWN)
+#pragma import_defines(HAS_SUNS, LOBES_SHARP, HAS_SHOWN, KEEPS_SHOWN, MAP_IS_BLACK)
 
 #include "pass/lobefilter.glsl"
 
@@ -31,18 +31,19 @@ void main()
     ivec2 p = ivec2(gl_FragCoord.xy);
     vec3 reflected = pixelReflected(p);
     vec3 shown = vec3(1.0);
+    vec4 estimate = vec4(0.0);
+#if !defined(MAP_IS_BLACK) && (defined(LOBES_SHARP) || defined(PREFILTERED))
+    estimate = texelFetch(estimateMap, p, 0);
+#endif
 #ifdef LOBES_SHARP
-    vec4 estimate = texelFetch(estimateMap, p, 0);
 #ifdef HAS_SHOWN
     // Of a lobe that is too narrow for their lights.
     shown = mix(texelFetch(shownMap, p, 0).rgb, vec3(1.0), lightedShare(texelFetch(normalMap, p, 0).a));
 #endif
 #else
     LobeSums sums = filteredLobes(p, ivec2(0, 1));
-#ifdef PREFILTERED
-    vec4 estimate = texelFetch(estimateMap, p, 0);
-#else
-    vec4 estimate = sums.estimate;
+#ifndef PREFILTERED
+    estimate = sums.estimate;
 #endif
 #ifdef HAS_LOBE_LIGHTS
     LobeSeen seen = lobeSeen(sums.lights);

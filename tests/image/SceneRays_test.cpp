@@ -4,6 +4,7 @@
 
 #include <metrics/Mask>
 #include <metrics/Metrics>
+#include <osgEnvLight/AreaLight>
 #include <osgEnvLight/Material>
 
 #include <gtest/gtest.h>
@@ -109,6 +110,35 @@ TEST(SceneRays, LobesShowLitWallsBehindTheEye)
                      with = errorOf(*lit, renderer, Settings::REFLECTIONS_SCENE, truth);
         EXPECT_LT(with, 0.6 * without) << "roughness " << roughness << ": " << with << " of " << without;
     }
+}
+
+// At night, in a room without windows: metals and coats show what lamps light. tRMSE, measured: .02 to
+// .07; black mirrors would err by about 1.
+TEST(SceneRays, UnderABlackMapMirrorsShowWhatLampsLight)
+{
+    for (const float roughness : {0.03f, 0.3f})
+        for (const bool coated : {false, true}) {
+            const osg::ref_ptr<LitScene> lit = makeScene(constantMap(0.0).get());
+            addMirror(*lit, roughness);
+            if (coated) {
+                osg::StateSet& mirror = *lit->getChild(0)->getStateSet();
+                Material::setCookTorrance(mirror, osg::Vec3f(0.02f, 0.02f, 0.02f), 0.0f, 0.5f);
+                Material::setCoat(mirror, 1.0f, roughness);
+            }
+            addWallsBehindTheEye(*lit, false);
+            const osg::ref_ptr<osgEnvLight::AreaLight> lamp = new osgEnvLight::AreaLight;
+            lamp->setSphere(osg::Vec3d(0, -5, 4.5), 0.3);
+            lamp->setRadiance(osg::Vec3f(40, 40, 40));
+            lit->addChild(lamp);
+            SceneRenderer renderer(96, 96);
+            lookIntoMirror(renderer);
+            const Picture shown = renderer.render(lit);
+            const Picture truth =
+                tracedView(*lit, renderer, 512, {Layer::BEAUTY}, false, ReferenceOptions::FULL).mean(Layer::BEAUTY);
+            EXPECT_LT(osgEnvLight::compare(shown, truth, Mask::geometry(truth)).tRmse, 0.1)
+                << "roughness " << roughness << ", coated " << coated;
+            for (const char* pass : {"specular", "diffuse"}) EXPECT_EQ(pass == std::string("diffuse"), lit->plan().runs(pass));
+        }
 }
 
 // A floor that is polished, or painted over, while the program runs.

@@ -10,12 +10,16 @@ namespace osgEnvLight
 namespace
 {
 
-Requirement requireSpecular(const FrameContext& c)
+Requirement requireLobes(const FrameContext& c)
 {
-    Requirement specular;
-    specular.unless(!c.settings.specular, "switched off").unless(c.facts.mapIsBlack, "the map is black");
-    specular.unless(c.facts.surfaces.deferred == 0, c.facts.whyNoneIsDeferred());
-    return specular.unless(!c.facts.surfaces.hasLobes(), "no glossy surface in view");
+    Requirement lobes;
+    lobes.unless(!c.settings.specular, "switched off");
+    // Under a black map they are there for the light of surfaces, if lamps give these any.
+    const bool bounces = c.settings.bounce != Settings::BOUNCE_OFF && c.decisions.atlas.needed;
+    const bool lamplit = c.facts.hasLamps() && bounces && lobesShowScene(c);
+    lobes.unless(c.facts.mapIsBlack && !lamplit, "the map is black");
+    lobes.unless(c.facts.surfaces.deferred == 0, c.facts.whyNoneIsDeferred());
+    return lobes.unless(!c.facts.surfaces.hasLobes(), "no glossy surface in view");
 }
 
 void drawGlossy(PassBuilder& b)
@@ -29,6 +33,12 @@ bool isPrefiltered(const FrameContext& c)
     return c.settings.specularMethod == Settings::SPECULAR_PREFILTERED && !c.hasFirstFrame();
 }
 
+// The filter averages samples.
+bool isSampled(const FrameContext& c)
+{
+    return !isPrefiltered(c) && !c.facts.mapIsBlack;
+}
+
 std::string lookUpsOf(const FrameContext& c)
 {
     return isPrefiltered(c) ? "1 look-up a pixel in the prefiltered map"
@@ -39,6 +49,8 @@ std::string lookUpsOf(const FrameContext& c)
 void readMapOfLobes(PassBuilder& b, FrameContext& c)
 {
     b.readGBuffer();
+    readLobes(b, c);
+    if (c.facts.mapIsBlack) return b.define("MAP_IS_BLACK");
     b.settings<SpecularSettings>();
     if (isPrefiltered(c)) {
         b.define("PREFILTERED");
@@ -47,7 +59,6 @@ void readMapOfLobes(PassBuilder& b, FrameContext& c)
         b.bind(c.textures->pyramid(), "pyramidMap");
     }
     b.bind(c.textures->latlong(), "latlongMap");
-    readLobes(b, c);
 }
 
 void readSunsOfLobes(PassBuilder& b, FrameContext& c)
@@ -59,7 +70,7 @@ void readSunsOfLobes(PassBuilder& b, FrameContext& c)
 
 Requirement requireReflections(const FrameContext& c)
 {
-    Requirement reflections = requireSpecular(c);
+    Requirement reflections = requireLobes(c);
     reflections.unless(c.settings.reflections < Settings::REFLECTIONS_SCREEN, "switched off");
     reflections.unless(c.settings.view != Settings::BEAUTY, "an intermediate is shown");
     return reflections.unless(!c.decisions.atlas.needed, "without the atlas nobody knows what blocks the map");
@@ -92,7 +103,7 @@ const TextureDesc packedLobes = {GL_RGBA32UI_EXT};  // as in pass/lobesums.glsl
 
 Requirement SpecularPass::require(const FrameContext& c) const
 {
-    return requireSpecular(c).because(lookUpsOf(c));
+    return requireLobes(c).unless(c.facts.mapIsBlack, "the map is black").because(lookUpsOf(c));
 }
 
 void SpecularPass::setup(PassBuilder& b, FrameContext& c)
@@ -108,18 +119,17 @@ void SpecularPass::setup(PassBuilder& b, FrameContext& c)
 
 Requirement LobeRowsPass::require(const FrameContext& c) const
 {
-    return requireSpecular(c).because("averages the samples of a cell along rows");
+    return requireLobes(c).because("averages the samples of a cell along rows");
 }
 
 void LobeRowsPass::setup(PassBuilder& b, FrameContext& c)
 {
-    if (c.hasFirstFrame() || (isPrefiltered(c) && !b.find("lobe lights").valid())) return;
+    if (c.hasFirstFrame() || (!isSampled(c) && !b.find("lobe lights").valid())) return;
     b.readGBuffer();
     b.settings<FilterSettings>();
     drawGlossy(b);
-    if (isPrefiltered(c)) {
-        b.define("PREFILTERED");
-    } else {
+    b.define("PREFILTERED", !isSampled(c));
+    if (isSampled(c)) {
         b.read(b.find("lobe estimate"), "estimateMap");
         b.write(b.create("row estimate", sums));
     }
@@ -130,9 +140,9 @@ void LobeRowsPass::setup(PassBuilder& b, FrameContext& c)
 
 Requirement CoatPass::require(const FrameContext& c) const
 {
-    Requirement coat = requireSpecular(c);
+    Requirement coat = requireLobes(c);
     coat.unless(!c.facts.surfaces.hasCoats(), "no clear coat in view");
-    return coat.because(lookUpsOf(c));
+    return coat.because(c.facts.mapIsBlack ? "what hides a black map" : lookUpsOf(c));
 }
 
 void CoatPass::setup(PassBuilder& b, FrameContext& c)
@@ -151,19 +161,20 @@ void CoatPass::setup(PassBuilder& b, FrameContext& c)
 
 Requirement LobesPass::require(const FrameContext& c) const
 {
-    return requireSpecular(c).because("averages the samples of a cell, the rows along columns");
+    return requireLobes(c).because("averages the samples of a cell, the rows along columns");
 }
 
 void LobesPass::setup(PassBuilder& b, FrameContext& c)
 {
-    const bool prefiltered = isPrefiltered(c);
-    const bool sharp = c.hasFirstFrame() || (prefiltered && !b.find("lobe lights").valid());
+    const bool sampled = isSampled(c);
+    const bool sharp = c.hasFirstFrame() || (!sampled && !b.find("lobe lights").valid());
     b.readGBuffer();
     b.settings<FilterSettings>();
     readLobes(b, c);
     b.define("LOBES_SHARP", sharp);
-    b.define("PREFILTERED", prefiltered);
-    b.read(b.find(sharp || prefiltered ? "lobe estimate" : "row estimate"), "estimateMap");
+    b.define("PREFILTERED", !sampled);
+    b.define("MAP_IS_BLACK", c.facts.mapIsBlack);
+    if (!c.facts.mapIsBlack) b.read(b.find(sharp || !sampled ? "lobe estimate" : "row estimate"), "estimateMap");
     if (b.read("sun glint", "sunGlintMap")) b.define("HAS_SUNS");
     b.read("coat", "coatTermMap");
     drawGlossy(b);
