@@ -103,9 +103,9 @@ TEST(SceneRays, LobesShowLitWallsBehindTheEye)
         const osg::ref_ptr<LitScene> lit = makeScene(lopsidedMap().get());
         addMirror(*lit, roughness);
         addWallsBehindTheEye(*lit, false);
-        SceneRenderer renderer(96, 96);
+        SceneRenderer renderer(64, 64);
         lookIntoMirror(renderer);
-        const Picture truth = tracedView(*lit, renderer, 256, {Layer::BEAUTY}, false, ReferenceOptions::FULL).mean(Layer::BEAUTY);
+        const Picture truth = tracedView(*lit, renderer, 128, {Layer::BEAUTY}, false, ReferenceOptions::FULL).mean(Layer::BEAUTY);
         const double without = errorOf(*lit, renderer, Settings::REFLECTIONS_SCREEN, truth),
                      with = errorOf(*lit, renderer, Settings::REFLECTIONS_SCENE, truth);
         EXPECT_LT(with, 0.6 * without) << "roughness " << roughness << ": " << with << " of " << without;
@@ -130,11 +130,11 @@ TEST(SceneRays, UnderABlackMapMirrorsShowWhatLampsLight)
             lamp->setSphere(osg::Vec3d(0, -5, 4.5), 0.3);
             lamp->setRadiance(osg::Vec3f(40, 40, 40));
             lit->addChild(lamp);
-            SceneRenderer renderer(96, 96);
+            SceneRenderer renderer(64, 64);
             lookIntoMirror(renderer);
             const Picture shown = renderer.render(lit);
             const Picture truth =
-                tracedView(*lit, renderer, 512, {Layer::BEAUTY}, false, ReferenceOptions::FULL).mean(Layer::BEAUTY);
+                tracedView(*lit, renderer, 256, {Layer::BEAUTY}, false, ReferenceOptions::FULL).mean(Layer::BEAUTY);
             EXPECT_LT(osgEnvLight::compare(shown, truth, Mask::geometry(truth)).tRmse, 0.1)
                 << "roughness " << roughness << ", coated " << coated;
             for (const char* pass : {"specular", "diffuse"}) EXPECT_EQ(pass == std::string("diffuse"), lit->plan().runs(pass));
