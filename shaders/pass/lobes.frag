@@ -4,7 +4,7 @@
 // S, last part: the rows' sums filtered along columns. The map's radiance in the lobe is a ratio of two sums, so that an even map is
 // reflected exactly. What the scene leaves of it is a ratio of sums over lights, one for each colour [specular.md 4]. Suns and coats are added.
 // LOBES_SHARP: a still view's later frames average over time instead, and take what is blocked light by light.
-#pragma import_defines(HAS_SUNS, LOBES_SHARP, HAS_SHOWN, KEEPS_SHOWN, MAP_IS_BLACK)
+#pragma import_defines(HAS_SUNS, LOBES_SHARP, HAS_SHOWN, KEEPS_SHOWN, KEEPS_HIDDEN, MAP_IS_BLACK)
 
 #include "pass/lobefilter.glsl"
 
@@ -21,8 +21,15 @@ uniform sampler2D coatTermMap;
 layout(location = 0) out vec4 specular;
 #ifdef HAS_LOBE_LIGHTS
 layout(location = 1) out vec4 blockedLobe;  // rgb: the lobe's albedo times alpha, the share of the map that surfaces hide
+#ifdef KEEPS_HIDDEN
+layout(location = 2) out vec4 hiddenLobe;  // what the scene takes from S, as far as lights tell
+#endif
 #ifdef KEEPS_SHOWN
+#ifdef KEEPS_HIDDEN
+layout(location = 3) out vec4 shownLobe;
+#else
 layout(location = 2) out vec4 shownLobe;
+#endif
 #endif
 #endif
 
@@ -56,6 +63,9 @@ void main()
 #endif
     vec3 mean = estimate.a > 0.0 ? estimate.rgb / estimate.a : vec3(0.0);
     specular = vec4(mean * shown * reflected, 1.0);
+#if defined(HAS_LOBE_LIGHTS) && defined(KEEPS_HIDDEN)
+    hiddenLobe = vec4(mean * (1.0 - shown) * reflected, 1.0);
+#endif
 #ifdef HAS_SUNS
     specular.rgb += texelFetch(sunGlintMap, p, 0).rgb;
 #endif

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // What glossy surfaces show of the picture, last part. The 4x4 pixels about each have rays in different directions of the lobe; their
 // mean replaces the mean radiance of all that blocks light. The difference is added to the picture.
-#pragma import_defines(KEEPS_REFLECTED)
+#pragma import_defines(KEEPS_REFLECTED, RAYS_MEET_ALL)
 
 #include "pass/blockers.glsl"
 #include "pass/lobeneighbours.glsl"
@@ -11,6 +11,9 @@
 uniform sampler2D reflectionMap;
 uniform sampler2D specularTermMap;
 uniform sampler2D blockedLobeMap;
+#ifdef RAYS_MEET_ALL
+uniform sampler2D hiddenLobeMap;
+#endif
 #ifdef HAS_COATS
 uniform sampler2D coatTermMap;
 uniform sampler2D blockedCoatMap;
@@ -47,7 +50,7 @@ vec4 cellMean(ivec2 p, float roughness, float level)
         ivec2 q = clamp(p + to, ivec2(0), last);
         float turn;
         float w = lobeNeighbour(receiver, q, length(vec2(to)), turn) * lobeWeight(turn, narrowness);
-        vec4 ray = w * texelFetch(reflectionMap, q, 0);
+        vec4 ray = w * max(texelFetch(reflectionMap, q, 0), vec4(0.0));
         if (brightness(ray.rgb) > brightness(brightest.rgb)) brightest = ray;
         sum += ray;
         all += w;
@@ -91,8 +94,16 @@ void main()
     vec3 mean = meanAbout(p, lobe.normal);
     float level = max(brightness(light.specular / max(reflected, vec3(1e-3))), brightness(mean));
     vec4 met = roughness < NARROW_ROUGHNESS ? texelFetch(reflectionMap, p, 0) : cellMean(p, roughness, level);
+#ifdef RAYS_MEET_ALL
+    float knownOpen = max(-met.w, 0.0);
+    met.w = max(met.w, 0.0);
+#endif
     float strength = 1.0 - smoothstep(TRACED_ROUGHNESS - 0.1, TRACED_ROUGHNESS, widestRoughness(lobe.bsdf));
     vec3 sent = reflected * (met.rgb + max(light.blocked.w - met.w, 0.0) * mean);
+#ifdef RAYS_MEET_ALL
+    // A ray that meets nothing knows better than lights about it: the lobe holds all that these take from it.
+    sent = mix(sent, texelFetch(hiddenLobeMap, p, 0).rgb * radianceScale, knownOpen);
+#endif
     // Rays that meet more than the maps know to be in the way hide the map, too.
     float open = min((1.0 - met.w) / max(1.0 - light.blocked.w, 1e-4), 1.0);
     vec3 before = light.blocked.rgb * mean;

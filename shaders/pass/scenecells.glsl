@@ -38,12 +38,10 @@ vec4 lightAt(vec3 place, vec3 n)
     return sum;
 }
 
-// Radiance that the ray meets, times the share of it that is known; that share.
-vec4 sceneRadiance(vec3 origin, vec3 direction, float within)
+// Radiance of what is met at that place, times the share of it that is known; that share.
+vec4 sceneRadiance(SceneHit hit, vec3 place)
 {
-    SceneHit hit = sceneHit(rayNodeMap, rayTriangleMap, origin, direction, within);
-    if (hit.distance == MISSED) return vec4(0.0);
-    vec4 light = lightAt(origin + hit.distance * direction, normalize(hit.normal));
+    vec4 light = lightAt(place, normalize(hit.normal));
     vec3 reflected = rayTexel(surfaceColorMap, 2 * hit.surface).rgb;
     vec3 emitted = rayTexel(surfaceColorMap, 2 * hit.surface + 1).rgb * (materialColors == 0 ? exp2(emittedStops) : 1.0);
     float sure = smoothstep(0.0, 0.1, light.a);

@@ -9,6 +9,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "TracedView.h"
 
 namespace SceneRays_test
@@ -110,6 +113,36 @@ TEST(SceneRays, LobesShowLitWallsBehindTheEye)
                      with = errorOf(*lit, renderer, Settings::REFLECTIONS_SCENE, truth);
         EXPECT_LT(with, 0.6 * without) << "roughness " << roughness << ": " << with << " of " << without;
     }
+}
+
+// A mirror floor shows the map up to the outline of a post that the picture does not show: as bright as without the post.
+TEST(SceneRays, AMirrorShowsTheMapUpToAnOutline)
+{
+    const osg::ref_ptr<LitScene> lit = makeScene(lopsidedMap().get());
+    osg::StateSet& floor = addWall(*lit, osg::Vec3d(-3, -3, 0), osg::Vec3d(6, 0, 0), osg::Vec3d(0, 6, 0));
+    Material::setCookTorrance(floor, osg::Vec3f(1, 1, 1), 1.0f, 0.0f);
+    SceneRenderer renderer(96, 96);
+    renderer.lookAt(osg::Vec3d(0, -4, 2), osg::Vec3d(0, -1, 0), osg::Vec3d(0, 0, 1), 30.0);
+    const Picture alone = renderer.render(lit);
+    const osg::ref_ptr<osg::Geode> post = makeBox(osg::Vec3d(-0.2, 1.0, 0.0), osg::Vec3d(0.2, 1.4, 4.0));
+    Material::setLambert(*post->getOrCreateStateSet(), osg::Vec3f(0.05f, 0.05f, 0.05f));
+    lit->addChild(post);
+    const Picture beside = renderer.render(lit, 16);  // what is new joins what stands still after some frames
+    lit->getSettings()->reflections = Settings::REFLECTIONS_SCREEN;
+    const Picture blurred = renderer.render(lit);
+    double worst = 0.0, worstBlurred = 0.0;
+    for (const double x : {-0.4, -0.3, 0.3, 0.4})
+        for (const double z : {1.2, 1.5, 1.8, 2.1}) {
+            const osg::Vec2d p = renderer.pixelOf(osg::Vec3d(x, 1.0, -z));
+            const double map = alone.color(int(p.x()), int(p.y()))[1];
+            ASSERT_GT(map, 0.05);
+            worst = std::max(worst, std::abs(beside.color(int(p.x()), int(p.y()))[1] / map - 1.0));
+            worstBlurred = std::max(worstBlurred, std::abs(blurred.color(int(p.x()), int(p.y()))[1] / map - 1.0));
+        }
+    EXPECT_LT(worst, 0.005) << "half floats; measured .0005";
+    EXPECT_GT(worstBlurred, 0.1) << "lights about it alone take up to a third";
+    const osg::Vec2d p = renderer.pixelOf(osg::Vec3d(0, 1.0, -1.5));
+    EXPECT_LT(beside.color(int(p.x()), int(p.y()))[1], 0.2 * alone.color(int(p.x()), int(p.y()))[1]) << "the post is dark";
 }
 
 // At night, in a room without windows: metals and coats show what lamps light. tRMSE, measured: .02 to

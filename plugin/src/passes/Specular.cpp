@@ -76,6 +76,13 @@ Requirement requireReflections(const FrameContext& c)
     return reflections.unless(!c.decisions.atlas.needed, "without the atlas nobody knows what blocks the map");
 }
 
+// Where a ray meets nothing, nothing is in the way.
+bool raysMeetAll(const FrameContext& c)
+{
+    const bool rays = c.settings.reflections == Settings::REFLECTIONS_SCENE && c.indirect && c.indirect->scene->rays;
+    return rays && c.settings.view == Settings::BEAUTY && !c.facts.mapIsBlack && c.skyMaps->still().areAll();
+}
+
 // What rays meet where the picture does not show it.
 void readSceneRays(PassBuilder& b, FrameContext& c)
 {
@@ -83,6 +90,7 @@ void readSceneRays(PassBuilder& b, FrameContext& c)
     const IndirectLight& light = *c.indirect;
     if (!light.scene->rays) return c.remark(", no rays through so many triangles");
     b.define("HAS_SCENE_RAYS");
+    b.define("RAYS_MEET_ALL", raysMeetAll(c));
     b.settings<SurfaceSettings>();
     b.bind(light.scene->rays->nodes, "rayNodeMap");
     b.bind(light.scene->rays->triangles, "rayTriangleMap");
@@ -190,6 +198,10 @@ void LobesPass::setup(PassBuilder& b, FrameContext& c)
     b.read(b.find("row lobe lights"), "lobeLightMap");
     b.define("HAS_LOBE_LIGHTS");
     b.write(blocked);
+    if (raysMeetAll(c)) {
+        b.define("KEEPS_HIDDEN");
+        b.write(b.create("hidden lobe"));
+    }
     if (!c.still) return;
     b.define("KEEPS_SHOWN");
     b.write(shown);
@@ -232,6 +244,7 @@ void ReflectionFilterPass::setup(PassBuilder& b, FrameContext& c)
     b.read(b.find("reflection"), "reflectionMap");
     b.read(b.find("specular"), "specularTermMap");
     b.read(b.find("blocked lobe"), "blockedLobeMap");
+    if (b.read("hidden lobe", "hiddenLobeMap")) b.define("RAYS_MEET_ALL");
     b.read("coat", "coatTermMap");
     b.read("blocked coat", "blockedCoatMap");
     if (b.read("mirrored", "mirroredMap"))

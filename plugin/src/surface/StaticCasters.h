@@ -32,6 +32,9 @@ class OSGENVLIGHT_EXPORT StaticCasters
     /** Counts those of their light. */
     unsigned sentVersion() const { return _sentVersion; }
 
+    /** No caster moves or has holes: parts() leave out nothing that casts shadows. */
+    bool areAll() const { return _geometry && _loose.empty(); }
+
     /** What stands for all of them. */
     std::vector<Caster> drawn() const;
     /** Triangles of drawn(). */
