@@ -10,6 +10,7 @@ namespace osgEnvLight
 /** The light between the surfaces of a view's scene, as it stands in a frame. */
 struct IndirectLight {
     osg::ref_ptr<TransportScene> scene;
+    bool isOfCasters = false;  // as they stand now; else one of those is being made
     // Of its points:
     osg::ref_ptr<osg::Texture2D> diffuse;    // what their Lambert layers reflect
     osg::ref_ptr<osg::Texture2D> glossy;     // what their lobes reflect; null: none has one

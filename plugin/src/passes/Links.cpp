@@ -54,18 +54,22 @@ void LinksPass::update(FrameContext& c)
     // The first pictures show the end at once: there is nothing yet that they would jump from.
     const bool first = _frames <= 1 || c.settings.regeneration == Settings::IMMEDIATE;
     if (_light.scene) _light.share = first ? 1.0 : std::min(_light.share + shareStep, 1.0);
+    _light.isOfCasters = _isShown;
     c.indirect = _light.scene && !_light.scene->empty() ? &_light : nullptr;
     if (_worker.busy() || (c.indirect && _light.isSettling())) ++c.waitingBounces;
 }
 
-// From glossy surfaces, where the picture does not show what they meet; whether or not the view shows one.
+// From glossy surfaces, where the picture does not show what they meet; whether or not the view shows one. A scene that has rays
+// keeps them when its last mirror is painted over: it would have to be made anew.
 bool LinksPass::wantsRays(const FrameContext& c)
 {
     const StaticCasters& casters = c.skyMaps->still();
-    if (_mirrorsVersion != casters.sentVersion() || _wanted.atlas != c.skyMaps || _wanted.generation != casters.generation()) {
+    const bool isNew = _wanted.atlas != c.skyMaps || _wanted.generation != casters.generation();
+    if (isNew || _mirrorsVersion != casters.sentVersion()) {
         const StaticCasters::Parts parts = casters.parts();
-        _hasMirrors = std::any_of(parts.begin(), parts.end(),
-                                  [](const StaticCasters::Part& part) { return part.sent.glossy != osg::Vec3f(); });
+        const bool had = _hasMirrors && !isNew;
+        _hasMirrors = had || std::any_of(parts.begin(), parts.end(),
+                                         [](const StaticCasters::Part& part) { return part.sent.glossy != osg::Vec3f(); });
         _mirrorsVersion = casters.sentVersion();
     }
     return _hasMirrors && c.settings.reflections == Settings::REFLECTIONS_SCENE;

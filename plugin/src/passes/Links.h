@@ -60,7 +60,7 @@ class OSGENVLIGHT_EXPORT LinksPass : public RenderPass
     IndirectLight _light;
     Wanted _wanted;  // that a scene was last asked for
     StaticCasters::Parts _wantedParts;
-    bool _hasMirrors = false;      // something in the scene is glossy
+    bool _hasMirrors = false;      // something in the scene is or was glossy
     unsigned _mirrorsVersion = 0;  // of the light that its surfaces send on, by which that is known
     bool _isShown = false;         // the scene is of these
     unsigned _sentVersion = 0;     // of the light that they send on

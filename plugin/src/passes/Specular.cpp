@@ -80,7 +80,8 @@ Requirement requireReflections(const FrameContext& c)
 bool raysMeetAll(const FrameContext& c)
 {
     const bool rays = c.settings.reflections == Settings::REFLECTIONS_SCENE && c.indirect && c.indirect->scene->rays;
-    return rays && c.settings.view == Settings::BEAUTY && !c.facts.mapIsBlack && c.skyMaps->still().areAll();
+    return rays && c.indirect->isOfCasters && c.settings.view == Settings::BEAUTY && !c.facts.mapIsBlack &&
+           c.skyMaps->still().areAll();
 }
 
 // What rays meet where the picture does not show it.
