@@ -152,6 +152,7 @@ Steadiness panAcrossABall(float roughness, int reflections)
     SceneRenderer renderer(side, side);
     osg::ref_ptr<LitScene> lit = courtyard(lopsidedMap().get());
     lit->getSettings()->reflections = reflections;
+    lit->getSettings()->bounce = Settings::BOUNCE_PROBES;
     lit->removeChildren(1, 2);
     for (double x : {-1.9, 1.3}) lit->addChild(makeBox(osg::Vec3d(x, 0.2, 0), osg::Vec3d(x + 0.6, 1.0, 1.2)));
     const osg::ref_ptr<osg::Geode> ball = makeSphere(osg::Vec3d(0, 0, 1), 1.0, 256);
@@ -184,16 +185,16 @@ Steadiness panAcrossABall(float roughness, int reflections)
 }  // namespace
 
 // Measured, in steps of the display: where black hides the map 0 to .37 in the mean, and one pixel of 4060 over 2. With the
-// scene's reflections .14 to .53; up to 4 % of the pixels are over 2: they show the floor at the picture's end.
+// scene's reflections .01 to .37; of mirrors one pixel is over 2, of balls of roughness .2 and .35 .7 and .4 %.
 TEST(Stability, ReflectionsKeepStillWhenTheViewPansByAPixelAFrame)
 {
     for (const float roughness : {0.0f, 0.1f, 0.2f, 0.35f, 0.6f}) {
         const Steadiness map = panAcrossABall(roughness, Settings::REFLECTIONS_MAP);
-        const Steadiness scene = panAcrossABall(roughness, Settings::REFLECTIONS_SCREEN);
+        const Steadiness scene = panAcrossABall(roughness, Settings::REFLECTIONS_SCENE);
         EXPECT_LE(map.mean, 0.5) << roughness;
         EXPECT_LE(map.over2, 0.001) << roughness;
-        EXPECT_LE(scene.mean, 0.7) << roughness;
-        EXPECT_LE(scene.over2, 0.05) << roughness;
+        EXPECT_LE(scene.mean, 0.5) << roughness;
+        EXPECT_LE(scene.over2, roughness < 0.12f ? 0.001 : 0.015) << roughness;
     }
 }
 
