@@ -18,8 +18,7 @@ double areaOf(const TracedScene& scene)
 {
     double sum = 0.0;
     for (size_t i = 0; i < scene.triangles.size(); ++i) {
-        const TracedScene::Surface& surface = scene.surfaces[scene.surfaceOf[i]];
-        const double area = 0.5 * double(scene.normal(i).length()) * double(surface.opacity) * (surface.closed ? 1.0 : 2.0);
+        const double area = scene.area(i) * (scene.surfaces[scene.surfaceOf[i]].closed ? 1.0 : 2.0);
         if (std::isfinite(area)) sum += area;
     }
     return sum;

@@ -49,7 +49,7 @@ std::vector<Side> sidesOf(const TracedScene& scene)
     std::vector<Side> sides;
     for (uint32_t i = 0; i < scene.triangles.size(); ++i) {
         const osg::Vec3f normal = scene.normal(i);
-        const double area = 0.5 * double(normal.length()) * double(scene.surfaces[scene.surfaceOf[i]].opacity);
+        const double area = scene.area(i);
         if (!(area > 0.0) || !std::isfinite(area)) continue;
         osg::Vec3f place = (scene.corner(i, 0) + scene.corner(i, 1) + scene.corner(i, 2)) / 3.0f - box._min;
         for (int k = 0; k < 3; ++k) place[k] /= std::max(box._max[k] - box._min[k], 1e-30f);

@@ -26,6 +26,11 @@ struct TracedScene {
         const osg::Vec3f& a = corner(triangle, 0);
         return (corner(triangle, 1) - a) ^ (corner(triangle, 2) - a);
     }
+    /** Of one of its sides, times the share of the rays that it stops. */
+    double area(size_t triangle) const
+    {
+        return 0.5 * double(normal(triangle).length()) * double(surfaces[surfaceOf[triangle]].opacity);
+    }
 };
 
 /** All parts as one; finds out which are closed. */
