@@ -58,7 +58,7 @@ void forPointsAt(const SurfaceCells& cells, const Vec3f& place, int facing, cons
 
 }  // namespace
 
-// The room's floor at -z .. and the ground outside have the same facing; its floor and the ceiling below it do not.
+// On the floor and the ceiling of a room.
 TEST(SurfaceCells, KnowEachPlaceOfASurfaceByPointsNearItThatFaceLikeIt)
 {
     TracedScene scene;

@@ -42,7 +42,8 @@ class OSGENVLIGHT_EXPORT LobesPass : public RenderPass
     void setup(PassBuilder& builder, FrameContext& context) override;
 };
 
-/** What glossy surfaces show of the scene, first part: rays through the picture. */
+/** What glossy surfaces show of the scene, first part: rays through the picture, and where that does not show what they meet,
+ * through the scene. */
 class OSGENVLIGHT_EXPORT ReflectionsPass : public RenderPass
 {
   public:
