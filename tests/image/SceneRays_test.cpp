@@ -67,6 +67,25 @@ void lookIntoMirror(SceneRenderer& renderer)
     renderer.lookAt(osg::Vec3d(0, -4, 0.5), osg::Vec3d(0, 0, 0.5), osg::Vec3d(0, 0, 1), 50.0);
 }
 
+void addMirrorFloor(LitScene& lit)
+{
+    osg::StateSet& floor = addWall(lit, osg::Vec3d(-3, -3, 0), osg::Vec3d(6, 0, 0), osg::Vec3d(0, 6, 0));
+    Material::setCookTorrance(floor, osg::Vec3f(1, 1, 1), 1.0f, 0.0f);
+}
+
+// Behind the picture's upper edge, when one looks onto the floor.
+void addDarkPost(LitScene& lit)
+{
+    const osg::ref_ptr<osg::Geode> post = makeBox(osg::Vec3d(-0.2, 1.0, 0.0), osg::Vec3d(0.2, 1.4, 4.0));
+    Material::setLambert(*post->getOrCreateStateSet(), osg::Vec3f(0.05f, 0.05f, 0.05f));
+    lit.addChild(post);
+}
+
+void lookOntoFloor(SceneRenderer& renderer)
+{
+    renderer.lookAt(osg::Vec3d(0, -4, 2), osg::Vec3d(0, -1, 0), osg::Vec3d(0, 0, 1), 30.0);
+}
+
 double errorOf(LitScene& lit, SceneRenderer& renderer, int reflections, const Picture& truth)
 {
     lit.getSettings()->reflections = reflections;
@@ -119,14 +138,11 @@ TEST(SceneRays, LobesShowLitWallsBehindTheEye)
 TEST(SceneRays, AMirrorShowsTheMapUpToAnOutline)
 {
     const osg::ref_ptr<LitScene> lit = makeScene(lopsidedMap().get());
-    osg::StateSet& floor = addWall(*lit, osg::Vec3d(-3, -3, 0), osg::Vec3d(6, 0, 0), osg::Vec3d(0, 6, 0));
-    Material::setCookTorrance(floor, osg::Vec3f(1, 1, 1), 1.0f, 0.0f);
+    addMirrorFloor(*lit);
     SceneRenderer renderer(96, 96);
-    renderer.lookAt(osg::Vec3d(0, -4, 2), osg::Vec3d(0, -1, 0), osg::Vec3d(0, 0, 1), 30.0);
+    lookOntoFloor(renderer);
     const Picture alone = renderer.render(lit);
-    const osg::ref_ptr<osg::Geode> post = makeBox(osg::Vec3d(-0.2, 1.0, 0.0), osg::Vec3d(0.2, 1.4, 4.0));
-    Material::setLambert(*post->getOrCreateStateSet(), osg::Vec3f(0.05f, 0.05f, 0.05f));
-    lit->addChild(post);
+    addDarkPost(*lit);
     const Picture beside = renderer.render(lit, 16);  // what is new joins what stands still after some frames
     lit->getSettings()->reflections = Settings::REFLECTIONS_SCREEN;
     const Picture blurred = renderer.render(lit);
@@ -143,6 +159,25 @@ TEST(SceneRays, AMirrorShowsTheMapUpToAnOutline)
     EXPECT_GT(worstBlurred, 0.1) << "lights about it alone take up to a third";
     const osg::Vec2d p = renderer.pixelOf(osg::Vec3d(0, 1.0, -1.5));
     EXPECT_LT(beside.color(int(p.x()), int(p.y()))[1], 0.2 * alone.color(int(p.x()), int(p.y()))[1]) << "the post is dark";
+}
+
+// A post that comes into a scene at run time joins what stands still after some frames. Until rays meet it, lights say what it
+// hides.
+TEST(SceneRays, NoMirrorShowsTheMapThroughWhatHasJustCome)
+{
+    const osg::ref_ptr<LitScene> lit = makeScene(lopsidedMap().get());
+    Settings& s = *lit->getSettings();
+    addMirrorFloor(*lit);
+    SceneRenderer renderer(96, 96);
+    lookOntoFloor(renderer);
+    const osg::Vec2d p = renderer.pixelOf(osg::Vec3d(0, 1.0, -1.5));
+    const double map = renderer.render(lit).color(int(p.x()), int(p.y()))[1];
+    s.regeneration = Settings::BACKGROUND;
+    s.atlasUpdatesPerFrame = s.atlasLights;
+    addDarkPost(*lit);
+    renderer.render(lit);
+    for (int frame = 1; frame < 24; ++frame)
+        EXPECT_LT(renderer.render(lit).color(int(p.x()), int(p.y()))[1], 0.8 * map) << "frame " << frame;
 }
 
 // At night, in a room without windows: metals and coats show what lamps light. tRMSE, measured: .02 to
