@@ -25,6 +25,7 @@ const int PROBE_DEPTH_SIDE = 12;       // of the octahedral map of what a probe 
 const int PROBE_HARMONICS = 9;         // in which a probe adds up what it sees
 const int HARMONICS_TEXTURES = 3;      // that share them: a texel has a third of one's
 const int PROBE_IRRADIANCE_SIDE = 6;   // of that of the light that it gets
+const int BVH_DEPTH = 64;         // most levels of the hierarchy of triangles
 const int RAY_COLUMNS = 2048;     // texels in each row of the tables that rays through the scene read
 const int CELL_POINTS = 8;        // surface points that a cell knows of each facing
 const int RAY_LEAF = 8;           // more than the triangles of a leaf

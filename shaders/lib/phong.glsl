@@ -59,9 +59,9 @@ float phongPdf(vec3 r, vec3 l, float exponent)
     return (exponent + 1.0) / TWO_PI * phongPower(r, l, exponent);
 }
 
-// Directional albedo of the lobe for ks = 1. The BRDF is not divided by the cosine to the light, so the lobe reflects less towards grazing
-// angles: the mean of that cosine over the lobe. The formula takes the cosine as normally distributed, and as 0 below the horizon. It errs
-// by 5 % for n = 0, 3 % for n = 1, 2 % for n = 2, 1 % from n = 4 on, beside quadrature.
+// Directional albedo of the lobe for ks = 1: the mean over the lobe of the cosine to the light, by which the BRDF is not divided. It falls
+// towards grazing angles. The formula takes the cosine as normally distributed, and as 0 below the horizon. It errs by 5 %
+// for n = 0, 3 % for n = 1, 2 % for n = 2, 1 % from n = 4 on, beside quadrature.
 float phongAlbedo(float exponent, float cosV)
 {
     float c = clamp(cosV, 0.0, 1.0);

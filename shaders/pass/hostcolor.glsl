@@ -13,10 +13,16 @@ vec3 hostColor(vec3 c)
     return materialColors == 0 ? typedDecode3(c) : c;
 }
 
+// Radiance of an emission of 1 as the host gives it.
+float emittedScale()
+{
+    return materialColors == 0 ? exp2(emittedStops) : 1.0;
+}
+
 // Radiance that such a colour stands for.
 vec3 hostRadiance(vec3 c)
 {
-    return hostColor(c) * (materialColors == 0 ? exp2(emittedStops) : 1.0);
+    return hostColor(c) * emittedScale();
 }
 
 #endif

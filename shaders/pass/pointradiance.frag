@@ -38,7 +38,7 @@ void main()
     sent += texelFetch(pointGlossyMap, p, 0).rgb * (mirrored.rgb + mirrored.a * fromSurfaces);
 #endif
 #ifdef HAS_EMISSION
-    sent += texelFetch(pointEmissionMap, p, 0).rgb * ((materialColors == 0 ? exp2(emittedStops) : 1.0) / radianceScale);
+    sent += texelFetch(pointEmissionMap, p, 0).rgb * (emittedScale() / radianceScale);
 #endif
     radiance = vec4(sent, 1.0);
 }

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 // The map, the suns and lamps light the surface points [indirect2.md 6]. Each texel is a point. The colour is the irradiance over pi, in
 // units of the map's mean; alpha is the share of the map's directions that the point sees.
-// Where surfaces are glossy, a second target holds what mirrors at the points send to other surfaces. A point sends light evenly: other
-// surfaces receive the share of it that goes where they hide the map. A mirror sends each light in one direction, and a surface is there
-// or not. The colour is the irradiance over pi of the lights for which one is there, divided by that share: other surfaces then receive
+// Where surfaces are glossy, a second target holds what mirrors at the points send to other surfaces. A point sends light evenly, so other
+// surfaces receive only a share: that of the directions in which they hide the map. A mirror sends each light in one direction. Only the
+// lights for which a surface lies there count. The colour is their irradiance over pi, divided by the share; other surfaces then receive
 // all of it. Alpha is the same factor for the light that surfaces send to the point.
 #pragma import_defines(MAP_IS_BLACK, HAS_SUN_MAPS, HAS_AREA_LIGHTS, HAS_SCENE_LIGHT_MAPS, HAS_GLOSS)
 
@@ -65,8 +65,9 @@ struct PointLight {
     vec3 meets;  // what of it a mirror sends to other surfaces
 };
 
-// 1 if a surface is where a mirror at the point sends light from direction l, else 0: if it hides the atlas light nearest to there. Near the
-// horizon that light may lie below the point's own surface. The answer is then `hidden`, which says whether a surface hides l.
+// A mirror at the point sends light from direction l one way. 1 if a surface lies that way, else 0. It does if it hides the atlas light
+// nearest to that way. Near the horizon that light may lie below the point's own surface. The answer is then `hidden`, which says whether
+// a surface hides l.
 float mirrorMeets(vec3 l, float hidden, vec3 place, vec3 n)
 {
 #ifdef HAS_GLOSS

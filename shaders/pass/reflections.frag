@@ -83,11 +83,11 @@ vec3 coneRadiance(ScreenHit hit, float tangent)
 }
 
 #ifdef HAS_SCENE_RAYS
-// Where a lobe reflects less than the first of the light that the scene sends in place of the map, no ray goes through the scene. Above the
-// second its answer is all that counts.
+// Share of the scene's light that a lobe reflects in place of the map. Below the first value no ray goes through the scene. Above the
+// second the ray's answer counts fully.
 const vec2 TRACED_REFLECTANCE = vec2(0.05, 0.1);
 
-// Of what the lobe on top holds of the map.
+// Share of the map that the scene hides from the lobe on top.
 float hiddenShare(ivec2 p)
 {
 #ifdef HAS_COATS
@@ -96,7 +96,7 @@ float hiddenShare(ivec2 p)
     return texelFetch(blockedLobeMap, p, 0).a;
 }
 
-// One ray says all about it. Of coats nobody keeps what the scene takes from them.
+// One ray tells all about a sharp lobe. Coats are left out: no pass keeps what the scene takes from them.
 bool hasSharpLobe(ivec2 p, Bsdf b)
 {
 #ifdef HAS_COATS
@@ -105,11 +105,11 @@ bool hasSharpLobe(ivec2 p, Bsdf b)
     return evenRoughness(b) < NARROW_ROUGHNESS;
 }
 
-// Of the answer of a ray through the scene.
+// How much the answer of a ray through the scene counts.
 float tracedShare(ivec2 p, Bsdf b)
 {
     float hidden = hiddenShare(p);
-    if (hidden > 0.0 && hasSharpLobe(p, b)) hidden = 1.0;  // all of it is, or nothing: lights about it do not tell
+    if (hidden > 0.0 && hasSharpLobe(p, b)) hidden = 1.0;  // the scene hides all of it or nothing; lights nearby do not tell which
     float sent = hidden * max(b.reflected.r, max(b.reflected.g, b.reflected.b));
     return smoothstep(TRACED_REFLECTANCE.x, TRACED_REFLECTANCE.y, sent);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a ray sees of the scene's surfaces: each has one colour, and the light of the surface points about the place [pass/surfacecells.frag].
+// What a ray sees where it meets a surface. A surface has one colour. Its light is that of the cells about the place
+// [pass/surfacecells.frag].
 #ifndef SCENECELLS_GLSL
 #define SCENECELLS_GLSL
 
@@ -15,7 +16,7 @@ uniform float cellWidth;
 uniform ivec3 cellCount;
 uniform float radianceScale;
 
-// Of the layer of cells: between four of them.
+// In a layer of cells, between the four about a place.
 vec4 layerLight(int facing, int layer, vec2 at)
 {
     vec2 corner = vec2(facing * cellCount.x, layer * cellCount.y);
@@ -43,7 +44,7 @@ vec4 sceneRadiance(SceneHit hit, vec3 place)
 {
     vec4 light = lightAt(place, normalize(hit.normal));
     vec3 reflected = rayTexel(surfaceColorMap, 2 * hit.surface).rgb;
-    vec3 emitted = rayTexel(surfaceColorMap, 2 * hit.surface + 1).rgb * (materialColors == 0 ? exp2(emittedStops) : 1.0);
+    vec3 emitted = rayTexel(surfaceColorMap, 2 * hit.surface + 1).rgb * emittedScale();
     float sure = smoothstep(0.0, 0.1, light.a);
     return sure * vec4(radianceScale * reflected * light.rgb / max(light.a, 1e-20) + emitted, 1.0);
 }

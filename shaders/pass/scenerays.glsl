@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Where does a ray meet a triangle of the scene? A hierarchy of boxes over them, in textures. The children of a node follow each other; a
-// node has two texels, the corners of its box. The first one's w is its first child, or, below 0, of a leaf, its first triangle and how
-// many it has. A triangle has three texels: a corner, with the number of its surface, and the edges from there.
+// Where does a ray meet a triangle of the scene? Two textures hold a hierarchy of boxes over the triangles. A node has two texels, the
+// corners of its box. The alpha of the first is the number of the node's first child; the second child follows it. A leaf has a negative
+// number there: -(RAY_LEAF * its first triangle + how many it has). A triangle has three texels: a corner, and in its alpha the number of
+// the surface; then the two edges from there.
 #ifndef SCENERAYS_GLSL
 #define SCENERAYS_GLSL
 
 #include "lib/limits.glsl"
 
 const float MISSED = 3e38;
-const int MOST_WAITING = 64;  // nodes; one a level at most
 
 struct SceneHit {
     float distance;  // MISSED: nothing is met
@@ -58,7 +58,7 @@ SceneHit sceneHit(sampler2D nodes, sampler2D triangles, vec3 origin, vec3 direct
 {
     vec3 inverse = 1.0 / mix(direction, vec3(1e-20), lessThan(abs(direction), vec3(1e-20)));
     SceneHit hit = SceneHit(within, vec3(0.0), 0);
-    int waiting[MOST_WAITING];
+    int waiting[BVH_DEPTH];  // nodes, at most one a level
     int count = 0;
     vec4 root = rayTexel(nodes, 0);
     int at = int(root.w);

@@ -196,7 +196,7 @@ Surface readSurface()
 #ifdef EMISSION_MAP
     emission *= mappedEmission();
 #endif
-    s.emission = emission * (materialColors == 0 ? exp2(emittedStops) : 1.0);
+    s.emission = emission * emittedScale();
 #endif
 #ifdef ENVLIGHT_LIGHT
     s.emission = envlightLight;

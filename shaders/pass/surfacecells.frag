@@ -1,7 +1,8 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// The light that surfaces receive in each cell and facing of SurfaceCells, as radiance that a white one sends on: what the points there
-// send, over what they reflect. In units of the map's mean, times alpha: how surely there are such surfaces.
+// A cell of SurfaceCells knows the light that its surfaces receive, for each way to face: the radiance that a white one would send on. It
+// is what the cell's points send, divided by what they reflect. The unit is the map's mean. Alpha says how surely the cell has such a
+// surface; the colour is multiplied by it.
 #pragma import_defines(HAS_EMISSION, HAS_GLOSS)
 
 #include "lib/limits.glsl"
@@ -37,7 +38,7 @@ void main()
         vec3 radiance = texelFetch(pointRadianceMap, q, 0).rgb;
         vec3 reflectance = texelFetch(pointDiffuseMap, q, 0).rgb;
 #ifdef HAS_EMISSION
-        radiance -= texelFetch(pointEmissionMap, q, 0).rgb * ((materialColors == 0 ? exp2(emittedStops) : 1.0) / radianceScale);
+        radiance -= texelFetch(pointEmissionMap, q, 0).rgb * (emittedScale() / radianceScale);
 #endif
 #ifdef HAS_GLOSS
         reflectance += texelFetch(pointGlossyMap, q, 0).rgb;

@@ -19,7 +19,7 @@ vec4 envlightLit(vec3 position, vec3 normal, vec4 baseColor, float metalness, fl
     s.f0 = mix(vec3(DIELECTRIC_F0), baseColor.rgb, metalness);
     s.brdf = BRDF_COOK_TORRANCE;
     s.roughness = roughness;
-    s.emission = emission * (materialColors == 0 ? exp2(emittedStops) : 1.0);
+    s.emission = emission * emittedScale();
     return forwardColor(s);
 #else
     // Without a LitScene above: a lamp at the eye.

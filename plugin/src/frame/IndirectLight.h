@@ -10,11 +10,11 @@ namespace osgEnvLight
 /** The light between the surfaces of a view's scene, as it stands in a frame. */
 struct IndirectLight {
     osg::ref_ptr<TransportScene> scene;
-    bool isOfCasters = false;  // as they stand now; else one of those is being made
+    bool isOfCasters = false;  // the scene shows the casters as they stand now; if not, a new one is being made
     // Of its points:
-    osg::ref_ptr<osg::Texture2D> diffuse;    // what their Lambert layers reflect
-    osg::ref_ptr<osg::Texture2D> glossy;     // what their lobes reflect; null: none has one
-    osg::ref_ptr<osg::Texture2D> emissions;  // null: none emits
+    osg::ref_ptr<osg::Texture2D> diffuse;        // what their Lambert layers reflect
+    osg::ref_ptr<osg::Texture2D> glossy;         // what their lobes reflect; null: none has one
+    osg::ref_ptr<osg::Texture2D> emissions;      // null: none emits
     osg::ref_ptr<osg::Texture2D> surfaceColors;  // SceneRays::colors(); null: no rays meet the scene
     TransportTargets targets;
     double mostReflected = 1.0;  // by any surface, of what it receives

@@ -21,6 +21,12 @@ osg::ref_ptr<osg::Texture2D> targetTexture(int width, int height, GLint internal
     return texture;
 }
 
+void filterLinearly(osg::Texture& texture)
+{
+    texture.setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR);
+    texture.setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
+}
+
 void writeTexel(osg::Image& image, unsigned column, unsigned row, const osg::Vec3d& rgb, double alpha)
 {
     float* out = reinterpret_cast<float*>(image.data(column, row));

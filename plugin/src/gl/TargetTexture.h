@@ -14,6 +14,9 @@ namespace osgEnvLight
 /** A texture of exact texels, to draw into or to look up: NEAREST, clamped to its edge, not resized to powers of two. */
 OSGENVLIGHT_EXPORT osg::ref_ptr<osg::Texture2D> targetTexture(int width, int height, GLint internalFormat);
 
+/** Let look-ups between its texels be linear. */
+OSGENVLIGHT_EXPORT void filterLinearly(osg::Texture& texture);
+
 /** Write a texel of a table of floats, RGBA. */
 void writeTexel(osg::Image& image, unsigned column, unsigned row, const osg::Vec3d& rgb, double alpha);
 /** Such a table, to look up. */

@@ -13,7 +13,7 @@ namespace osgEnvLight
 {
 
 /** Lets light go on between surface points and probes: what the points send on, then what the probes see of that, some times
- * over; in the end, what the cells of surfaces know of it. Owned by one frame of one view; written at cull.*/
+ * over; at the end, the light that the cells of surfaces know. Owned by one frame of one view; written at cull.*/
 class OSGENVLIGHT_EXPORT BounceDraw : public osg::Drawable
 {
   public:

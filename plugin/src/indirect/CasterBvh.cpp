@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "indirect/CasterBvh.h"
 
+#include "base/Limits.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,7 +15,7 @@ namespace
 {
 
 constexpr int bins = 16;
-constexpr int deepest = 64;  // levels; halves from 32 on, so that 2^32 triangles fit
+constexpr int deepest = limits::BVH_DEPTH;  // halves from 32 on, so that 2^32 triangles fit
 constexpr float nowhere = std::numeric_limits<float>::max();
 
 float halfArea(const osg::BoundingBoxf& box)

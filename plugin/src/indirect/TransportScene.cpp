@@ -23,7 +23,7 @@ constexpr int partSide = limits::POINT_PART_SIDE;
 
 TransportScene::TransportScene(const TracedScene& scene, const osg::Vec3d& place, int most, bool traced,
                                const std::atomic<bool>* stop)
-    : origin(place)
+    : origin(place), triangles(scene.triangles.size())
 {
     const std::vector<SurfacePoint> points = placeSurfacePoints(scene, unsigned(pointSide * pointSide));
     if (points.empty()) return;
@@ -33,7 +33,7 @@ TransportScene::TransportScene(const TracedScene& scene, const osg::Vec3d& place
     if (stop && *stop) return;
     const auto partsPerPoint = unsigned(partSide * partSide);
     const std::vector<SurfacePart> parts = placeSurfaceParts(scene, points, nearest, partsPerPoint);
-    if (traced && scene.triangles.size() <= SceneRays::mostTriangles) rays = new SceneRays(scene, bvh, parts, partsPerPoint);
+    if (traced && triangles <= SceneRays::mostTriangles) rays = new SceneRays(scene, bvh, parts, partsPerPoint);
     writeParts(parts);
     writePoints(points);
     writeProbes(grid);
@@ -108,8 +108,7 @@ void TransportScene::writeProbes(const ProbeGrid& grid)
                 std::copy_n(depth.data(), 2, depths.at(i % columns * tile + x, i / columns * tile + y));
             }
     probeDepths = depths.texture(GL_RG32F);
-    probeDepths->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR);
-    probeDepths->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
+    filterLinearly(*probeDepths);
 }
 
 osg::ref_ptr<osg::Texture2D> TransportScene::ofPoints(const StaticCasters::Parts& parts, osg::Vec3f SentLight::*member) const

@@ -28,6 +28,7 @@ class OSGENVLIGHT_EXPORT TransportScene : public osg::Referenced
     bool empty() const { return !pointPlaces; }
 
     const osg::Vec3d origin;
+    const size_t triangles;
     std::array<int, 3> count{};  // probes along each axis
     int columns = 0;             // probes side by side in the textures of probes
 

@@ -15,12 +15,6 @@ osg::ref_ptr<osg::Texture2D> pointTarget()
     return targetTexture(limits::POINT_SIDE, limits::POINT_SIDE, GL_RGBA32F_ARB);
 }
 
-void filterLinearly(osg::Texture2D& texture)
-{
-    texture.setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR);
-    texture.setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
-}
-
 }  // namespace
 
 TransportTargets::TransportTargets(int columnCount, int probeCount)

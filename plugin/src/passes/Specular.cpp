@@ -76,28 +76,35 @@ Requirement requireReflections(const FrameContext& c)
     return reflections.unless(!c.decisions.atlas.needed, "without the atlas nobody knows what blocks the map");
 }
 
+// What rays go through; null: none do.
+const SceneRays* sceneRays(const FrameContext& c)
+{
+    return c.settings.reflections == Settings::REFLECTIONS_SCENE && c.indirect ? c.indirect->scene->rays.get() : nullptr;
+}
+
 // Where a ray meets nothing, nothing is in the way.
 bool raysMeetAll(const FrameContext& c)
 {
-    const bool rays = c.settings.reflections == Settings::REFLECTIONS_SCENE && c.indirect && c.indirect->scene->rays;
-    return rays && c.indirect->isOfCasters && c.settings.view == Settings::BEAUTY && !c.facts.mapIsBlack &&
+    return sceneRays(c) && c.indirect->isOfCasters && c.settings.view == Settings::BEAUTY && !c.facts.mapIsBlack &&
            c.skyMaps->still().areAll();
 }
 
 // What rays meet where the picture does not show it.
 void readSceneRays(PassBuilder& b, FrameContext& c)
 {
-    if (c.settings.reflections != Settings::REFLECTIONS_SCENE || !c.indirect) return;
+    const SceneRays* rays = sceneRays(c);
+    const bool tooMany = c.indirect && c.indirect->scene->triangles > SceneRays::mostTriangles;
+    if (tooMany && c.settings.reflections == Settings::REFLECTIONS_SCENE) c.remark(", no rays through so many triangles");
+    if (!rays) return;
     const IndirectLight& light = *c.indirect;
-    if (!light.scene->rays) return c.remark(", no rays through so many triangles");
     b.define("HAS_SCENE_RAYS");
     b.define("RAYS_MEET_ALL", raysMeetAll(c));
     b.settings<SurfaceSettings>();
-    b.bind(light.scene->rays->nodes, "rayNodeMap");
-    b.bind(light.scene->rays->triangles, "rayTriangleMap");
+    b.bind(rays->nodes, "rayNodeMap");
+    b.bind(rays->triangles, "rayTriangleMap");
     b.bind(light.surfaceColors, "surfaceColorMap");
     b.bind(light.targets.cellLight, "cellLightMap");
-    b.frameUniforms(light.scene->rays->uniforms);
+    b.frameUniforms(rays->uniforms);
     b.frameUniforms(&c.frame.probeState(light.share));
     b.shadowOrigin(light.scene->origin);
     b.read(b.find("blocked lobe"), "blockedLobeMap");
