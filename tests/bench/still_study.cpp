@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// How fast the average of a still view comes to the truth, after so many frames: the root mean square error of direct light over
-// its mean, and under it as a tone curve shows it (the image suite's tRMSE).
-//   envlight_still_study [SCENE:MAP]... [NAME=VALUE]...     scenes and maps of the image suite, settings of the nodekit
+// How fast the average of a still view comes to the truth, after so many frames: the root mean square error over the mean, and
+// under it as a tone curve shows it (the image suite's tRMSE). The truth is direct light, or with --full all light.
+//   envlight_still_study [--full] [SCENE:MAP]... [NAME=VALUE]...     scenes and maps of the image suite, settings of the nodekit;
+//                                                                    accumulateFrames ends it
 #include <metrics/Mask>
 #include <metrics/Metrics>
 #include <reference/Reference>
@@ -25,6 +26,7 @@ namespace
 
 const int width = 96, height = 72;
 const unsigned samples = 1024;
+using Paths = osgEnvLight::ReferenceOptions::Paths;
 const std::vector<int> milestones = {1, 4, 16, 32, 48, 64, 128, 256};
 
 struct Truth {
@@ -34,9 +36,10 @@ struct Truth {
     osgEnvLight::ErrorFigures errorOf(const Picture& picture) const { return osgEnvLight::compare(picture, mean, error, inside); }
 };
 
-Truth truthOf(osgEnvLight::LitScene& lit, SceneRenderer& renderer, const Picture& picture)
+Truth truthOf(osgEnvLight::LitScene& lit, SceneRenderer& renderer, const Picture& picture, Paths paths)
 {
-    const osgEnvLight::ReferenceResult result = tracedView(lit, renderer, samples, {Layer::BEAUTY, Layer::NORMAL, Layer::DEPTH});
+    const osgEnvLight::ReferenceResult result =
+        tracedView(lit, renderer, samples, {Layer::BEAUTY, Layer::NORMAL, Layer::DEPTH}, true, paths);
     Truth truth{result.mean(Layer::BEAUTY), result.standardError(Layer::BEAUTY), Mask()};
     Picture surface = result.mean(Layer::NORMAL);
     for (size_t i = 0; i < surface.pixels(); ++i) surface.rgba[4 * i + 3] = truth.mean.rgba[4 * i + 3];
@@ -45,12 +48,14 @@ Truth truthOf(osgEnvLight::LitScene& lit, SceneRenderer& renderer, const Picture
     return truth;
 }
 
-void measure(const std::string& sceneName, const std::string& map, const std::vector<std::string>& settings)
+void measure(const std::string& sceneName, const std::string& map, Paths paths, const std::vector<std::string>& settings)
 {
     suite::SuiteScene scene = suite::makeScene(sceneName);
     if (!scene.lit || !suite::setMap(*scene.lit, map)) throw std::runtime_error(sceneName + " or " + map + " is not installed");
-    scene.lit->getSettings()->bounce = osgEnvLight::Settings::BOUNCE_OFF;
-    scene.lit->getSettings()->reflections = osgEnvLight::Settings::REFLECTIONS_MAP;
+    if (paths == osgEnvLight::ReferenceOptions::DIRECT) {
+        scene.lit->getSettings()->bounce = osgEnvLight::Settings::BOUNCE_OFF;
+        scene.lit->getSettings()->reflections = osgEnvLight::Settings::REFLECTIONS_MAP;
+    }
     scene.lit->getSettings()->accumulate = true;
     for (const std::string& s : settings) {
         std::string error;
@@ -60,11 +65,12 @@ void measure(const std::string& sceneName, const std::string& map, const std::ve
     SceneRenderer renderer(width, height);
     renderer.lookAt(scene.eye, scene.target, osg::Vec3d(0, 0, 1), scene.fovy);
     Picture picture = renderer.render(scene.lit.get());
-    const Truth truth = truthOf(*scene.lit, renderer, picture);
+    const Truth truth = truthOf(*scene.lit, renderer, picture, paths);
     std::printf("%-18s", (sceneName + " " + map).c_str());
     std::vector<double> toned, milliseconds = {0.0};
     int drawn = 1;
     for (int frames : milestones) {
+        if (frames > scene.lit->getSettings()->accumulateFrames) break;
         const auto start = std::chrono::steady_clock::now();
         if (frames > drawn) picture = renderer.render(scene.lit.get(), frames - drawn);
         if (frames > drawn)
@@ -88,14 +94,20 @@ void measure(const std::string& sceneName, const std::string& map, const std::ve
 int main(int argc, char** argv)
 try {
     std::vector<std::string> rows, settings;
-    for (int i = 1; i < argc; ++i) (std::string(argv[i]).find('=') == std::string::npos ? rows : settings).push_back(argv[i]);
+    Paths paths = osgEnvLight::ReferenceOptions::DIRECT;
+    for (const std::string& argument : std::vector<std::string>(argv + 1, argv + argc)) {
+        if (argument == "--full")
+            paths = osgEnvLight::ReferenceOptions::FULL;
+        else
+            (argument.find('=') == std::string::npos ? rows : settings).push_back(argument);
+    }
     if (rows.empty())
         for (const char* scene : {"slot", "room", "post", "stairs", "chess"})
             for (const char* map : {"sky", "courtyard", "interior"}) rows.push_back(std::string(scene) + ":" + map);
     std::printf("%-18s", "error in % after");
     for (int frames : milestones) std::printf(" %7d", frames);
     std::printf("\n");
-    for (const std::string& row : rows) measure(row.substr(0, row.find(':')), row.substr(row.find(':') + 1), settings);
+    for (const std::string& row : rows) measure(row.substr(0, row.find(':')), row.substr(row.find(':') + 1), paths, settings);
 } catch (const std::exception& e) {
     std::cerr << "envlight_still_study: " << e.what() << '\n';
     return 1;
