@@ -38,4 +38,12 @@ int bayer4(int x, int y)
     return a * 8 + b * 4 + c * 2 + d;
 }
 
+// A number of two whole ones, in [0,1): those of pixels side by side have nothing in common. [Jarzynski, Olano 2020, pcg]
+float pixelNumber(uint x, uint y)
+{
+    uint state = (x * 1664525u + y) * 747796405u + 2891336453u;
+    uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+    return float(((word >> 22u) ^ word) >> 8u) / 16777216.0;
+}
+
 #endif

@@ -2,7 +2,7 @@
 // L = L_e + S + D - O [seed 000, eq. 3] and the bounce, from what the passes left, and the map behind the scene.
 #ifndef PICTURE_GLSL
 #define PICTURE_GLSL
-#pragma import_defines(BACKGROUND_BLUR, HAS_SPECULAR, HAS_LOBES, HAS_REFLECTED, BACKGROUND)
+#pragma import_defines(BACKGROUND_BLUR, HAS_SPECULAR, HAS_LOBES, HAS_REFLECTED, HAS_GATHERED, BACKGROUND)
 
 #include "lib/constants.glsl"
 #include "lib/latlong.glsl"
@@ -17,6 +17,9 @@ uniform sampler2D reflectedMap;  // what the scene sends into the lobe
 #else
 uniform sampler2D blockedLobeMap;
 uniform sampler2D blockedCoatMap;
+#endif
+#ifdef HAS_GATHERED
+uniform sampler2D gatheredMap;  // radiance that a white surface sends on of what others send
 #endif
 uniform sampler2D latlongMap;
 uniform sampler2D pyramidMap;
@@ -51,7 +54,11 @@ vec3 bounce(ivec2 p)
     vec3 n = pixelNormal(p);
 #ifdef HAS_BLOCKERS
     vec3 rho = pixelAlbedo(p) * texelFetch(diffuseTermMap, p, 0).a;
+#ifdef HAS_GATHERED
+    sent += rho * texelFetch(gatheredMap, p, 0).rgb;
+#else
     sent += rho * fromBlockers(p, n, 1.0 - ambientVisibility(p), radianceScale);
+#endif
 #endif
 #if defined(HAS_REFLECTED)
     sent += texelFetch(reflectedMap, p, 0).rgb;

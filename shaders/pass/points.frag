@@ -11,59 +11,33 @@
 #include "lib/constants.glsl"
 #include "lib/limits.glsl"
 #include "pass/atlas.glsl"
+#include "pass/receivedlight.glsl"
 #ifdef HAS_SUN_MAPS
 #include "pass/sunshadow.glsl"
 #endif
 #if defined(HAS_SUN_MAPS) || defined(HAS_SCENE_LIGHT_MAPS)
 #define HAS_SMALL_LIGHTS
 #endif
-#if defined(HAS_AREA_LIGHTS) || defined(HAS_SCENE_LIGHT_MAPS)
-#include "pass/pointmap.glsl"
-uniform float radianceScale;
-#endif
-#ifdef HAS_AREA_LIGHTS
-#include "pass/emitterpoints.glsl"
-#endif
-#ifdef HAS_SCENE_LIGHT_MAPS
-#include "pass/scenelights.glsl"
-#include "pass/scenelightmaps.glsl"
-#endif
 
 uniform sampler2D pointPlaceMap;
 uniform sampler2D pointNormalMap;
-uniform vec3 pointsInAtlas;  // origin of the points about that of the atlas
+uniform vec3 placesInAtlas;  // origin of the points about that of the atlas
 uniform int pointRows;       // of every so many rows of points one is due in this frame
 uniform int pointTurn;       // which one
-uniform float pointLift;     // off their surfaces, which the suns' maps show more finely
+#ifdef HAS_SUN_MAPS
+uniform vec3 pointsInSunMaps;
+uniform float pointLift;  // off their surfaces, which these maps show more finely
+#endif
 #ifdef HAS_SMALL_LIGHTS
 uniform sampler2D partPlaceMap;
 uniform sampler2D partNormalMap;
 #endif
-#ifdef HAS_SUN_MAPS
-uniform vec3 pointsInSunMaps;
-#endif
-
-#ifdef HAS_AREA_LIGHTS
-uniform vec3 pointsInEmitterMaps;
-#endif
-
-#ifdef HAS_SCENE_LIGHT_MAPS
-uniform vec3 pointsInSceneLightMaps;
-uniform mat4 eyeFromPoints;
-#endif
-
 layout(location = 0) out vec4 light;
 #ifdef HAS_GLOSS
 layout(location = 1) out vec4 mirrored;
 
 const float LEAST_HIDDEN = 0.1;  // share of directions; points that see nearly all of the map would send without end
 #endif
-
-// Irradiance over pi.
-struct PointLight {
-    vec3 received;
-    vec3 meets;  // what of it a mirror sends to other surfaces
-};
 
 // A mirror at the point sends light from direction l one way. 1 if a surface lies that way, else 0. It does if it hides the atlas light
 // nearest to that way. Near the horizon that light may lie below the point's own surface. The answer is then `hidden`, which says whether
@@ -75,21 +49,20 @@ float mirrorMeets(vec3 l, float hidden, vec3 place, vec3 n)
     int number = int(texelFetch(nearestLightMap, nearestLightTexel(d), 0).x & 0xffffu);
     AtlasLight nearest = atlasLight(number % LIGHT_GROUPS, number / LIGHT_GROUPS);
     float c = dot(n, nearest.direction);
-    return c > 0.0 ? 1.0 - atlasSees(nearest, place + pointsInAtlas, n, c) : hidden;
+    return c > 0.0 ? 1.0 - atlasSees(nearest, place + placesInAtlas, n, c) : hidden;
 #else
     return 0.0;
 #endif
 }
 
-void receive(vec3 e, vec3 l, vec3 place, vec3 n, inout PointLight sum)
+float sentShare(vec3 l, vec3 place, vec3 n)
 {
-    sum.received += e;
-    sum.meets += e * mirrorMeets(l, 0.0, place, n);
+    return mirrorMeets(l, 0.0, place, n);
 }
 
 #ifdef HAS_SUN_MAPS
 // Each part traces its own point of a sun's disc.
-void receiveSuns(vec3 place, vec3 n, int part, inout PointLight sum)
+void receiveSuns(vec3 place, vec3 n, int part, inout ReceivedLight sum)
 {
     SunPixel s = SunPixel(place + pointsInSunMaps + pointLift * n, n, -n, 0.0, 1.0, part);
     for (int i = 0; i < sunCount; ++i) {
@@ -100,63 +73,25 @@ void receiveSuns(vec3 place, vec3 n, int part, inout PointLight sum)
 }
 #endif
 
-#ifdef HAS_AREA_LIGHTS
-// Of all their points.
-void receiveAreaLights(vec3 place, vec3 n, inout PointLight sum)
-{
-    EmitterSums sums = EmitterSums(vec3(0.0), vec3(0.0), vec3(0.0));
-    PointLight seen = PointLight(vec3(0.0), vec3(0.0));
-    int count = textureSize(emitterPointMap, 0).x;
-    for (int i = 0; i < count; ++i) {
-        EmitterPoint e = emitterPoint(i);
-        vec3 to = e.position - place - pointsInEmitterMaps;
-        float kernel = emitterKernel(e, to, n);
-        if (kernel <= 0.0) continue;
-        float sees = emitterSees(e, place + pointsInEmitterMaps, n);  // negative: not known, and counts as seen for the mirror
-        sums = withPoint(sums, kernel * e.power, sees);
-        receive(abs(sees) * kernel * e.power, normalize(to), place, n, seen);
-    }
-    vec3 received = seenLight(sums) / radianceScale;
-    sum.received += received;
-    sum.meets += received * seen.meets / max(seen.received, vec3(1e-30));
-}
-#endif
-
-#ifdef HAS_SCENE_LIGHT_MAPS
-void receiveSceneLights(vec3 place, vec3 n, inout PointLight sum)
-{
-    vec3 eye = vec3(eyeFromPoints * vec4(place, 1.0));
-    vec3 eyeNormal = mat3(eyeFromPoints) * n;
-    for (int i = 0; i < sceneLightCount; ++i) {
-        vec3 direction;
-        vec3 light = sceneLightAt(i, eye, direction);
-        float c = dot(eyeNormal, direction);
-        if (c <= 0.0) continue;
-        vec3 e = c * sceneLightSeen(i, place + pointsInSceneLightMaps, n) / radianceScale * light;
-        receive(e, direction * mat3(eyeFromPoints), place, n, sum);
-    }
-}
-#endif
-
 #ifdef HAS_SMALL_LIGHTS
 // What casts sharp shadows, or lights less than a point stands for: the mean over its parts.
-void receiveSmallLights(ivec2 p, inout PointLight sum)
+void receiveSmallLights(ivec2 p, inout ReceivedLight sum)
 {
     const int parts = POINT_PART_SIDE * POINT_PART_SIDE;
-    PointLight all = PointLight(vec3(0.0), vec3(0.0));
+    ReceivedLight ofParts = ReceivedLight(vec3(0.0), vec3(0.0));
     for (int k = 0; k < parts; ++k) {
         ivec2 q = POINT_PART_SIDE * p + ivec2(k % POINT_PART_SIDE, k / POINT_PART_SIDE);
         vec3 place = texelFetch(partPlaceMap, q, 0).xyz;
         vec3 n = normalize(texelFetch(partNormalMap, q, 0).xyz);
 #ifdef HAS_SUN_MAPS
-        receiveSuns(place, n, k, all);
+        receiveSuns(place, n, k, ofParts);
 #endif
 #ifdef HAS_SCENE_LIGHT_MAPS
-        receiveSceneLights(place, n, all);
+        receiveSceneLights(place, n, ofParts);
 #endif
     }
-    sum.received += all.received / float(parts);
-    sum.meets += all.meets / float(parts);
+    sum.all += ofParts.all / float(parts);
+    sum.sentOn += ofParts.sentOn / float(parts);
 }
 #endif
 
@@ -166,7 +101,7 @@ void main()
     if (p.y % pointRows != pointTurn) discard;
     vec3 place = texelFetch(pointPlaceMap, p, 0).xyz;
     vec3 n = texelFetch(pointNormalMap, p, 0).xyz;
-    PointLight sum = PointLight(vec3(0.0), vec3(0.0));
+    ReceivedLight sum = ReceivedLight(vec3(0.0), vec3(0.0));
     float seen = 0.0;
     float all = 0.0;
     float between = 0.0;  // of what surfaces send here, what a mirror sends to others
@@ -177,14 +112,14 @@ void main()
             float c = dot(n, l.direction);
             if (c <= 0.0) continue;
             all += c * l.solidAngle;
-            float sees = atlasSees(l, place + pointsInAtlas, n, c);
+            float sees = atlasSees(l, place + placesInAtlas, n, c);
             seen += sees * c * l.solidAngle;
             float meets = mirrorMeets(l.direction, 1.0 - sees, place, n);
             between += meets * (1.0 - sees) * c * l.solidAngle;
 #ifndef MAP_IS_BLACK  // then the lights only say how much of the sphere is seen
             vec3 e = sees * c * INV_PI * l.flux;
-            sum.received += e;
-            sum.meets += meets * e;
+            sum.all += e;
+            sum.sentOn += meets * e;
 #endif
         }
 #ifdef HAS_SMALL_LIGHTS
@@ -193,9 +128,9 @@ void main()
 #ifdef HAS_AREA_LIGHTS
     receiveAreaLights(place, n, sum);
 #endif
-    light = vec4(sum.received, all > 0.0 ? seen / all : 1.0);
+    light = vec4(sum.all, all > 0.0 ? seen / all : 1.0);
 #ifdef HAS_GLOSS
     float hidden = 1.0 - light.a;
-    mirrored = vec4(sum.meets, between / max(all - seen, 1e-20)) / max(hidden, LEAST_HIDDEN);
+    mirrored = vec4(sum.sentOn, between / max(all - seen, 1e-20)) / max(hidden, LEAST_HIDDEN);
 #endif
 }

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What a ray sees where it meets a surface. A surface has one colour. Its light is that of the cells about the place
-// [pass/surfacecells.frag].
+// What a ray sees where it meets a surface: the light there is that of the cells about the place [pass/surfacecells.frag].
 #ifndef SCENECELLS_GLSL
 #define SCENECELLS_GLSL
 
-#include "pass/scenerays.glsl"
-#include "pass/hostcolor.glsl"
+#include "pass/tracedscene.glsl"
 
-uniform sampler2D rayNodeMap;
-uniform sampler2D rayTriangleMap;
-uniform sampler2D surfaceColorMap;
 uniform sampler2D cellLightMap;  // facings side by side, of each the cells; layers one over the other
 uniform vec3 cellsLow;
 uniform float cellWidth;
@@ -43,10 +38,8 @@ vec4 lightAt(vec3 place, vec3 n)
 vec4 sceneRadiance(SceneHit hit, vec3 place)
 {
     vec4 light = lightAt(place, normalize(hit.normal));
-    vec3 reflected = rayTexel(surfaceColorMap, 2 * hit.surface).rgb;
-    vec3 emitted = rayTexel(surfaceColorMap, 2 * hit.surface + 1).rgb * emittedScale();
     float sure = smoothstep(0.0, 0.1, light.a);
-    return sure * vec4(radianceScale * reflected * light.rgb / max(light.a, 1e-20) + emitted, 1.0);
+    return sure * vec4(radianceScale * tracedReflectance(hit) * light.rgb / max(light.a, 1e-20) + tracedEmission(hit), 1.0);
 }
 
 #endif

@@ -100,4 +100,25 @@ TEST(sequence, BayerMatrix)
         for (int x = 0; x < 12; ++x) EXPECT_EQ(glsl::bayer4(x, y), matrix[y % 4][x % 4]);
 }
 
+// Means and variances of numbers side by side, and of their products: 1/2, 1/12, 1/4; 65536 of them leave .005.
+TEST(sequence, PixelNumbersHaveNothingInCommon)
+{
+    double sum = 0.0, square = 0.0, across = 0.0, up = 0.0;
+    const unsigned side = 256;
+    for (unsigned y = 0; y < side; ++y)
+        for (unsigned x = 0; x < side; ++x) {
+            const double n = glsl::pixelNumber(x, y);
+            EXPECT_TRUE(n >= 0.0 && n < 1.0);
+            sum += n;
+            square += (n - 0.5) * (n - 0.5);
+            across += n * glsl::pixelNumber(x + 1, y);
+            up += n * glsl::pixelNumber(x, y + 1);
+        }
+    const double count = side * side;
+    EXPECT_NEAR(sum / count, 0.5, 0.005);
+    EXPECT_NEAR(square / count, 1.0 / 12.0, 0.005);
+    EXPECT_NEAR(across / count, 0.25, 0.005);
+    EXPECT_NEAR(up / count, 0.25, 0.005);
+}
+
 }  // namespace sequence_test

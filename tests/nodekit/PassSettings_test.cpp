@@ -118,6 +118,8 @@ Found settingsOf(const std::set<StateSets>& drawn, osg::State& state)
     return found;
 }
 
+constexpr unsigned farBox = 2;  // a child's number; the glass is the next
+
 // Of all that passes are there for, with part of the scene far away.
 osg::ref_ptr<WatchedScene> makeScene()
 {
@@ -135,7 +137,7 @@ osg::ref_ptr<WatchedScene> makeScene()
     osgEnvLight::Material::setCookTorrance(*coated->getOrCreateStateSet(), osg::Vec3f(0.5f, 0.5f, 0.5f), 0.0f, 0.5f);
     osgEnvLight::Material::setCoat(*coated->getOrCreateStateSet(), 1.0f);
     lit->addChild(coated);
-    lit->addChild(makeBox(osg::Vec3d(999, 0, 0), osg::Vec3d(1000, 1, 1)));
+    lit->addChild(makeBox(osg::Vec3d(999, 0, 0), osg::Vec3d(1000, 1, 1)));  // farBox
     const osg::ref_ptr<osg::Geode> glass = makeQuad(osg::Vec3d(-0.5, -1, -0.5), osg::Vec3d(1, 0, 0), osg::Vec3d(0, 0, 1));
     const osg::ref_ptr<osg::Material> clear = new osg::Material;
     clear->setDiffuse(osg::Material::FRONT_AND_BACK, osg::Vec4(1, 1, 1, 0.5f));
@@ -174,6 +176,11 @@ TEST(PassSettings, EveryPassHasThoseThatItsShaderReads)
     s.visibility = Settings::VISIBILITY_SCREEN;
     for (s.occlusionMethod = Settings::SLICE; s.occlusionMethod <= Settings::BENT_NORMAL; ++s.occlusionMethod)
         renderer.render(lit.get(), 1);
+    s.occlusionMethod = Settings::SLICE;
+    s.visibility = Settings::VISIBILITY_AUTO;
+    s.accumulate = true;
+    lit->removeChildren(farBox, 2);
+    renderer.render(lit.get(), 12);
 
     const Found found = settingsOf(lit->drawn, renderer.state());
     for (const auto& [program, names] : found.missing)

@@ -114,26 +114,35 @@ osg::StateSet& FrameResources::atlasState(const std::string& name, const ShadowA
     return *state;
 }
 
-osg::StateSet& FrameResources::pointState(const PointPlaces& places, int rows, int turn, double lift)
+osg::StateSet& FrameResources::placeState(const std::string& pass, const Places& places)
+{
+    osg::ref_ptr<osg::StateSet>& state = _placeStates[pass];
+    if (!state) {
+        state = new osg::StateSet;
+        for (const char* name : {"placesInAtlas", "placesInEmitterMaps", "placesInSceneLightMaps"})
+            state->addUniform(new osg::Uniform(name, osg::Vec3()));
+        for (const char* name : {"eyeFromPlaces", "placesFromEye"}) state->addUniform(new osg::Uniform(name, osg::Matrixf()));
+    }
+    state->getUniform("placesInAtlas")->set(osg::Vec3(places.inAtlas));
+    state->getUniform("placesInEmitterMaps")->set(osg::Vec3(places.inEmitterMaps));
+    state->getUniform("placesInSceneLightMaps")->set(osg::Vec3(places.inSceneLightMaps));
+    state->getUniform("eyeFromPlaces")->set(osg::Matrixf(places.inEye));
+    state->getUniform("placesFromEye")->set(osg::Matrixf(osg::Matrixd::inverse(places.inEye)));
+    return *state;
+}
+
+osg::StateSet& FrameResources::pointState(int rows, int turn, const osg::Vec3d& inSunMaps, double lift)
 {
     if (!_pointState) {
         _pointState = new osg::StateSet;
-        _pointState->addUniform(new osg::Uniform("pointsInAtlas", osg::Vec3()));
-        _pointState->addUniform(new osg::Uniform("pointsInSunMaps", osg::Vec3()));
-        _pointState->addUniform(new osg::Uniform("pointsInEmitterMaps", osg::Vec3()));
-        _pointState->addUniform(new osg::Uniform("pointsInSceneLightMaps", osg::Vec3()));
-        _pointState->addUniform(new osg::Uniform("eyeFromPoints", osg::Matrixf()));
         _pointState->addUniform(new osg::Uniform("pointRows", rows));
         _pointState->addUniform(new osg::Uniform("pointTurn", turn));
+        _pointState->addUniform(new osg::Uniform("pointsInSunMaps", osg::Vec3()));
         _pointState->addUniform(new osg::Uniform("pointLift", 0.0f));
     }
-    _pointState->getUniform("pointsInAtlas")->set(osg::Vec3(places.inAtlas));
-    _pointState->getUniform("pointsInSunMaps")->set(osg::Vec3(places.inSunMaps));
-    _pointState->getUniform("pointsInEmitterMaps")->set(osg::Vec3(places.inEmitterMaps));
-    _pointState->getUniform("pointsInSceneLightMaps")->set(osg::Vec3(places.inSceneLightMaps));
-    _pointState->getUniform("eyeFromPoints")->set(osg::Matrixf(places.inEye));
     _pointState->getUniform("pointRows")->set(rows);
     _pointState->getUniform("pointTurn")->set(turn);
+    _pointState->getUniform("pointsInSunMaps")->set(osg::Vec3(inSunMaps));
     _pointState->getUniform("pointLift")->set(float(lift));
     return *_pointState;
 }

@@ -64,13 +64,16 @@ class OSGENVLIGHT_EXPORT FrameResources : public osg::Referenced
      * @param name  of the atlas
      * @param near  the atlas of the same lights about the view, or null */
     osg::StateSet& atlasState(const std::string& name, const ShadowAtlas& atlas, const ShadowAtlas* near);
-    /** Where the points' origin lies about those of shadow maps, and the points before the eye. */
-    struct PointPlaces {
-        osg::Vec3d inAtlas, inSunMaps, inEmitterMaps, inSceneLightMaps;
+    /** Where the origin of places on surfaces lies about those of shadow maps, and the places before the eye. */
+    struct Places {
+        osg::Vec3d inAtlas, inEmitterMaps, inSceneLightMaps;
         osg::Matrixd inEye;
     };
-    /** Uniforms of pass/points.frag: the places, which rows are due, how far off its surface a point asks the suns' maps. */
-    osg::StateSet& pointState(const PointPlaces& places, int rows, int turn, double lift);
+    /** Uniforms of pass/receivedlight.glsl. */
+    osg::StateSet& placeState(const std::string& pass, const Places& places);
+    /** Uniforms of pass/points.frag: which rows are due, where the points' origin lies about that of the suns' maps, how far off
+     * its surface a point asks them. */
+    osg::StateSet& pointState(int rows, int turn, const osg::Vec3d& inSunMaps, double lift);
     /** Uniforms of pass/indirect.frag. */
     osg::StateSet& probeState(double share);
     /** Uniforms of the application's lights. */
@@ -98,6 +101,7 @@ class OSGENVLIGHT_EXPORT FrameResources : public osg::Referenced
     std::map<std::string, osg::ref_ptr<AtlasRefresh>> _refreshes;
     std::map<SettingsGroup, SettingsUniforms> _settings;
     std::map<std::string, osg::ref_ptr<osg::StateSet>> _atlasStates;
+    std::map<std::string, osg::ref_ptr<osg::StateSet>> _placeStates;
     osg::ref_ptr<osg::StateSet> _pointState;
     osg::ref_ptr<osg::StateSet> _probeState;
     osg::ref_ptr<osg::StateSet> _sceneLightState;

@@ -5,6 +5,8 @@
 #include "indirect/SurfaceCells.h"
 #include "indirect/Texels.h"
 
+#include <algorithm>
+
 namespace osgEnvLight
 {
 
@@ -12,7 +14,8 @@ namespace
 {
 
 constexpr int columns = limits::RAY_COLUMNS;
-constexpr float leastOpacity = 0.5f;  // what lets more rays pass than it stops is met by none
+constexpr float leastOpacity = 0.5f;   // what lets more rays pass than it stops is met by none
+constexpr float slightOpacity = 0.1f;  // how wrong that may be
 
 Texels makeTable(size_t texels)
 {
@@ -34,6 +37,9 @@ SceneRays::SceneRays(const TracedScene& scene, const CasterBvh& bvh, const std::
 {
     static_assert(CasterBvh::leafSize < limits::RAY_LEAF);
     static_assert(mostTriangles * limits::RAY_LEAF < 1u << 24, "they are kept as floats");
+    isExact = std::all_of(scene.surfaces.begin(), scene.surfaces.end(), [](const TracedScene::Surface& s) {
+        return s.opacity <= slightOpacity || s.opacity >= 1.0f - slightOpacity;
+    });
     writeNodes(bvh);
     writeTriangles(scene, bvh);
     writeCells(scene, parts, partsPerPoint);

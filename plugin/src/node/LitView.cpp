@@ -2,6 +2,7 @@
 #include "node/LitView.h"
 
 #include "passes/AreaLights.h"
+#include "passes/Gather.h"
 #include "passes/Indirect.h"
 #include "passes/Lighting.h"
 #include "passes/Links.h"
@@ -57,6 +58,8 @@ LitView::LitView(Failure* failure, RetiredObjects* retired, SurfaceSorter* sorte
     graph.add(new ResolvePass);
     graph.add(new ReflectionsPass);
     graph.add(new ReflectionFilterPass);
+    graph.add(new GatherPass);
+    graph.add(new GatherFilterPass);
     graph.add(new AccumulatePass);
     graph.add(new StillErrorPass);
     graph.add(new DisplayPass);

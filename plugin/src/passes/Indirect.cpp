@@ -98,34 +98,20 @@ void PointsPass::setup(PassBuilder& b, FrameContext& c)
     b.bind(light.scene->pointPlaces, "pointPlaceMap");
     b.bind(light.scene->pointNormals, "pointNormalMap");
     readSkyMaps(b, c, "atlas", *c.skyMaps, nullptr);
-    b.define("MAP_IS_BLACK", c.facts.mapIsBlack);
-    FrameResources::PointPlaces places;
-    places.inAtlas = light.scene->origin - c.skyMaps->origin();
+    readReceivedLight(b, c, name(), *c.skyMaps);
     const bool hasSuns = c.sunMaps && c.decisions.sunDiffuse;
     if (hasSuns || c.sceneLightMaps) {
         b.bind(light.scene->partPlaces, "partPlaceMap");
         b.bind(light.scene->partNormals, "partNormalMap");
     }
+    osg::Vec3d inSunMaps;
     if (hasSuns) {
         b.define("HAS_SUN_MAPS");
         readSuns(b, c);
         readSunMaps(b, c);
-        places.inSunMaps = light.scene->origin - c.sunMaps->targets().origin;
+        inSunMaps = light.scene->origin - c.sunMaps->targets().origin;
     }
-    if (c.emitterMaps) {
-        b.define("HAS_AREA_LIGHTS");
-        readEmitterPoints(b, *c.emitterMaps, c.emitterPoints);
-        places.inEmitterMaps = light.scene->origin - c.emitterMaps->origin();
-    }
-    if (c.sceneLightMaps) {
-        b.define("HAS_SCENE_LIGHT_MAPS");
-        b.settings<SurfaceSettings>();
-        readSceneLightMaps(b, c);
-        b.frameUniforms(&c.frame.sceneLightState());
-        places.inSceneLightMaps = light.scene->origin - c.sceneLightMaps->origin();
-        places.inEye = osg::Matrixd::translate(light.scene->origin) * osg::Matrixd::inverse(c.worldFromEye);
-    }
-    b.frameUniforms(&c.frame.pointState(places, int(light.rows), int(c.number % light.rows), 0.5 * c.skyMaps->texel()));
+    b.frameUniforms(&c.frame.pointState(int(light.rows), int(c.number % light.rows), inSunMaps, 0.5 * c.skyMaps->texel()));
     b.write(b.import("point light", light.targets.pointLight.get()));
     if (light.glossy) {
         b.define("HAS_GLOSS");
@@ -231,10 +217,7 @@ void IndirectPass::setup(PassBuilder& b, FrameContext& c)
         return;
     }
     b.readGBuffer();
-    b.bind(light.scene->probePlaces, "probePlaceMap");
-    b.bind(light.scene->probeDepths, "probeDepthMap");
-    b.bind(light.targets.probeIrradiance, "probeIrradianceMap");
-    b.frameUniforms(light.scene->uniforms);
+    readProbes(b, light);
     b.read(b.find("occlusion"), "occlusionTermMap");
     b.define("HAS_OCCLUSION");
     if (light.share < 1.0 && b.read("bounce", "bounceMap")) b.define("HAS_BOUNCE");

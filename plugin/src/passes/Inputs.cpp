@@ -101,6 +101,44 @@ void readSunMaps(PassBuilder& b, FrameContext& c)
     b.shadowOrigin(c.sunMaps->targets().origin);
 }
 
+void readReceivedLight(PassBuilder& b, FrameContext& c, const std::string& pass, const ShadowAtlas& maps)
+{
+    const osg::Vec3d& origin = c.indirect->scene->origin;
+    FrameResources::Places places;
+    places.inAtlas = origin - maps.origin();
+    places.inEye = osg::Matrixd::translate(origin) * osg::Matrixd::inverse(c.worldFromEye);
+    b.define("MAP_IS_BLACK", c.facts.mapIsBlack);
+    if (c.emitterMaps) {
+        b.define("HAS_AREA_LIGHTS");
+        readEmitterPoints(b, *c.emitterMaps, c.emitterPoints);
+        places.inEmitterMaps = origin - c.emitterMaps->origin();
+    }
+    if (c.sceneLightMaps) {
+        b.define("HAS_SCENE_LIGHT_MAPS");
+        b.settings<SurfaceSettings>();
+        readSceneLightMaps(b, c);
+        b.frameUniforms(&c.frame.sceneLightState());
+        places.inSceneLightMaps = origin - c.sceneLightMaps->origin();
+    }
+    b.frameUniforms(&c.frame.placeState(pass, places));
+}
+
+void readProbes(PassBuilder& b, const IndirectLight& light)
+{
+    b.bind(light.scene->probePlaces, "probePlaceMap");
+    b.bind(light.scene->probeDepths, "probeDepthMap");
+    b.bind(light.targets.probeIrradiance, "probeIrradianceMap");
+    b.frameUniforms(light.scene->uniforms);
+}
+
+void readTracedScene(PassBuilder& b, const IndirectLight& light)
+{
+    b.settings<SurfaceSettings>();
+    b.bind(light.scene->rays->nodes, "rayNodeMap");
+    b.bind(light.scene->rays->triangles, "rayTriangleMap");
+    b.bind(light.surfaceColors, "surfaceColorMap");
+}
+
 void readDiffuseTerms(PassBuilder& b, const FrameContext& c)
 {
     b.read("emission", "emissionMap");

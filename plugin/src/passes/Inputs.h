@@ -59,6 +59,14 @@ void readEmitterPoints(PassBuilder& builder, const EmitterMaps& maps, osg::Textu
 void readSceneLightMaps(PassBuilder& builder, const FrameContext& context);
 /** The shadow maps of the suns. */
 void readSunMaps(PassBuilder& builder, FrameContext& context);
+/** The lamps and, of the map's lights, their place: for pass/receivedlight.glsl. Places are told about the surface points'
+ * origin.
+ * @param maps  of the map's lights */
+void readReceivedLight(PassBuilder& builder, FrameContext& context, const std::string& pass, const ShadowAtlas& maps);
+/** What pass/probegrid.glsl reads. */
+void readProbes(PassBuilder& builder, const IndirectLight& light);
+/** What pass/tracedscene.glsl reads; the scene has rays. */
+void readTracedScene(PassBuilder& builder, const IndirectLight& light);
 /** What pass/terms.glsl reads. */
 void readDiffuseTerms(PassBuilder& builder, const FrameContext& context);
 /** Whether lobes show the scene's indirect light where the scene hides the map. */

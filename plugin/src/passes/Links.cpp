@@ -2,6 +2,7 @@
 #include "passes/Links.h"
 
 #include "base/Limits.h"
+#include "passes/Gather.h"
 
 #include <algorithm>
 
@@ -72,7 +73,7 @@ bool LinksPass::wantsRays(const FrameContext& c)
                                          [](const StaticCasters::Part& part) { return part.sent.glossy != osg::Vec3f(); });
         _mirrorsVersion = casters.sentVersion();
     }
-    return _hasMirrors && c.settings.reflections == Settings::REFLECTIONS_SCENE;
+    return (_hasMirrors && c.settings.reflections == Settings::REFLECTIONS_SCENE) || gathers(c.settings);
 }
 
 void LinksPass::makeScene(const FrameContext& c, const Wanted& wanted)

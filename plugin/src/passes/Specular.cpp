@@ -90,23 +90,18 @@ bool raysMeetAll(const FrameContext& c)
 }
 
 // What rays meet where the picture does not show it.
-void readSceneRays(PassBuilder& b, FrameContext& c)
+void readRaysOfLobes(PassBuilder& b, FrameContext& c)
 {
-    const SceneRays* rays = sceneRays(c);
     const bool tooMany = c.indirect && c.indirect->scene->triangles > SceneRays::mostTriangles;
     if (tooMany && c.settings.reflections == Settings::REFLECTIONS_SCENE) c.remark(", no rays through so many triangles");
-    if (!rays) return;
-    const IndirectLight& light = *c.indirect;
+    if (!sceneRays(c)) return;
     b.define("HAS_SCENE_RAYS");
     b.define("RAYS_MEET_ALL", raysMeetAll(c));
-    b.settings<SurfaceSettings>();
-    b.bind(rays->nodes, "rayNodeMap");
-    b.bind(rays->triangles, "rayTriangleMap");
-    b.bind(light.surfaceColors, "surfaceColorMap");
-    b.bind(light.targets.cellLight, "cellLightMap");
-    b.frameUniforms(rays->uniforms);
-    b.frameUniforms(&c.frame.probeState(light.share));
-    b.shadowOrigin(light.scene->origin);
+    readTracedScene(b, *c.indirect);
+    b.bind(c.indirect->targets.cellLight, "cellLightMap");
+    b.frameUniforms(sceneRays(c)->uniforms);
+    b.shadowOrigin(c.indirect->scene->origin);
+    b.frameUniforms(&c.frame.probeState(c.indirect->share));
     b.read(b.find("blocked lobe"), "blockedLobeMap");
     b.read("blocked coat", "blockedCoatMap");
     c.remark(", else what rays through the scene meet");
@@ -232,7 +227,7 @@ void ReflectionsPass::setup(PassBuilder& b, FrameContext& c)
         b.define("HAS_AREA_LIGHTS");
         b.read("emission", "emissionMap");
     }
-    readSceneRays(b, c);
+    readRaysOfLobes(b, c);
     b.drawMarked(b.find("pixel marks"), limits::MARK_TRACED);
     b.write(b.create("reflection", {GL_RGBA32F_ARB}));
 }

@@ -162,6 +162,7 @@ void AccumulatePass::setup(PassBuilder& b, FrameContext& c)
     }
     b.readGBuffer();
     readPicture(b, c);
+    if (b.read("gathered", "gatheredMap")) b.define("HAS_GATHERED");
     readSkyMaps(b, c, "accumulate", *c.stillMaps, c.stillNearMaps);
     readLobes(b, c);
     for (const TextureId target : {average, squares}) a.frames() > 1 ? b.addTo(target) : b.write(target);

@@ -20,10 +20,14 @@ void StaticCasters::setPlace(const osg::Vec3d& origin, double cell)
 void StaticCasters::update(const std::vector<Caster>& casters, bool moved, double slack)
 {
     _frames = moved ? 0 : _frames + 1;
-    const auto apart = std::count_if(_still.begin(), _still.end(), [](const Still& s) { return s.caster.state.valid(); });
-    const bool merges = !_geometry || (_loose.size() > size_t(apart) && _frames == patience);
+    const bool merges = !_geometry || (!noneMoves() && _frames == patience);
     if (merges || moved) sort(casters, merges, slack);
     takeSentLight(casters);
+}
+
+size_t StaticCasters::countPerforated() const
+{
+    return size_t(std::count_if(_still.begin(), _still.end(), [](const Still& s) { return s.caster.state.valid(); }));
 }
 
 // Those that are merged are some of the casters, in their order.

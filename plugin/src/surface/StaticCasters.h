@@ -35,6 +35,9 @@ class OSGENVLIGHT_EXPORT StaticCasters
     /** No caster moves or has holes: parts() leave out nothing that casts shadows. */
     bool areAll() const { return _geometry && _loose.empty(); }
 
+    /** No caster moves: parts() leave out none. */
+    bool noneMoves() const { return _geometry && _loose.size() == countPerforated(); }
+
     /** What stands for all of them. */
     std::vector<Caster> drawn() const;
     /** Triangles of drawn(). */
@@ -52,6 +55,7 @@ class OSGENVLIGHT_EXPORT StaticCasters
         Caster caster;
         std::shared_ptr<const CasterMesh> mesh;
     };
+    size_t countPerforated() const;  // of those that stand still
     void sort(const std::vector<Caster>& casters, bool merges, double slack);
     void build();
     void takeSentLight(const std::vector<Caster>& casters);

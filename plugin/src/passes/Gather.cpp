@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "passes/Gather.h"
+
+#include "passes/Inputs.h"
+
+namespace osgEnvLight
+{
+
+bool gathers(const Settings& settings)
+{
+    return settings.accumulate && settings.accumulateRays > 0 && settings.bounce == Settings::BOUNCE_PROBES;
+}
+
+namespace
+{
+
+Requirement requireGather(const FrameContext& c)
+{
+    Requirement gather;
+    gather.unless(!c.settings.accumulate || c.settings.accumulateRays == 0, "switched off");
+    gather.unless(!c.still, "no still view is averaged");
+    gather.unless(!c.indirect, "there are no probes");
+    if (!gather.needed) return gather;
+    gather.unless(!c.indirect->scene->rays, "the scene has too many triangles for rays");
+    gather.unless(c.indirect->scene->rays && !c.indirect->scene->rays->isExact, "something has holes");
+    gather.unless(!c.indirect->isOfCasters || !c.skyMaps->still().noneMoves(), "something moves");
+    return gather;
+}
+
+}  // namespace
+
+Requirement GatherPass::require(const FrameContext& c) const
+{
+    return requireGather(c).because(counted(size_t(c.settings.accumulateRays), "ray") + " a pixel in each frame of a still view");
+}
+
+void GatherPass::setup(PassBuilder& b, FrameContext& c)
+{
+    if (!c.isAccumulating()) return;
+    b.read(b.find("normal"), "normalMap");
+    b.read(b.find("depth"), "depthMap");
+    b.settings<StillViewSettings>();
+    readTracedScene(b, *c.indirect);
+    readProbes(b, *c.indirect);
+    readSkyMaps(b, c, name(), *c.stillMaps, nullptr);
+    readReceivedLight(b, c, name(), *c.stillMaps);
+    drawSurfaces(b);
+    b.write(b.create("ray light"));
+}
+
+Requirement GatherFilterPass::require(const FrameContext& c) const
+{
+    return requireGather(c).because("their mean over a cell");
+}
+
+void GatherFilterPass::setup(PassBuilder& b, FrameContext& c)
+{
+    if (!c.isAccumulating()) return;
+    b.readGBuffer();
+    b.read(b.find("ray light"), "rayLightMap");
+    drawSurfaces(b);
+    b.write(b.create("gathered"));
+}
+
+}  // namespace osgEnvLight

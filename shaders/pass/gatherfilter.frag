@@ -1,0 +1,31 @@
+#version 330 compatibility
+// SPDX-License-Identifier: MIT
+// The rays of a 4x4 cell of pixels go in different directions; the light that surfaces send changes little within the cell. So each pixel
+// of a still view takes the mean of the cell about it, as far as it is one surface.
+#include "lib/bilateral.glsl"
+#include "pass/gbuffer.glsl"
+
+uniform sampler2D rayLightMap;
+
+layout(location = 0) out vec4 gathered;
+
+void main()
+{
+    ivec2 p = ivec2(gl_FragCoord.xy);
+    vec3 n = pixelNormal(p);
+    vec2 ndc = pixelNdc(p);
+    float depth = texelFetch(depthMap, p, 0).r;
+    vec3 eye = eyeFromDepth(inverseProjection, ndc, depth);
+    PixelPlane plane = pixelPlane(eye, n, 1.5 * pixelFootprint(inverseProjection, ndc, depth, viewportSize));
+    ivec2 last = ivec2(viewportSize) - 1;
+    vec4 sum = vec4(0.0);
+    for (int y = -2; y <= 2; ++y)
+        for (int x = -2; x <= 2; ++x) {
+            ivec2 q = clamp(p + ivec2(x, y), ivec2(0), last);
+            float there = texelFetch(depthMap, q, 0).r;
+            if (q != p + ivec2(x, y) || there >= 1.0) continue;
+            float w = cellWeight(x, 2) * cellWeight(y, 2) * surfaceWeight(planeDistance(plane, q, there), dot(n, pixelNormal(q)));
+            sum += w * vec4(texelFetch(rayLightMap, q, 0).rgb, 1.0);
+        }
+    gathered = sum / sum.a;
+}
