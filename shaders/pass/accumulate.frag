@@ -4,6 +4,8 @@
 // [occlusion.md 5.1]. Their average over the frames is direct light with the visibility of each direction.
 // D = num + V (U - den): U, the term D, is free of their noise, and V is how much of it to trust, a constant of the
 // view; whatever it is, the mean stays num. S - O_S likewise with V = 1: where nothing is in the way there is no noise.
+// A black map's lights only say how much of the sphere is seen.
+#pragma import_defines(MAP_IS_BLACK)
 
 #include "lib/tone.glsl"
 #include "pass/pixelbsdf.glsl"
@@ -49,6 +51,7 @@ vec3 surface(ivec2 p)
     vec3 num = vec3(0.0);  // from the diffuse layer
     vec3 den = vec3(0.0);
     vec3 kept = vec3(0.0);  // from the lobe
+#ifndef MAP_IS_BLACK
     int lights = textureSize(atlasLightMap, 0).x * LIGHT_GROUPS;
     for (int i = 0; i < lights; ++i) {
         AtlasLight light = atlasLight(i % LIGHT_GROUPS, i / LIGHT_GROUPS);
@@ -67,6 +70,7 @@ vec3 surface(ivec2 p)
         else if (isGlossy)
             kept += e * bsdfLobe(lobe.bsdf, lobe.v, transpose(lobe.eyeFromLocal) * direction);
     }
+#endif
     vec3 diffuse = (num - ambientVisibility(p) * den) * (INV_PI * radianceScale) + ambientVisibility(p) * (diffuseTerm(p) + sunDiffuse(p));
     vec3 specular = specularTerm(p) - lobe.share * kept * radianceScale;
     return emitted(p) + diffuse + specular + bounce(p);

@@ -63,6 +63,14 @@ osg::ref_ptr<LitScene> makeRoom(osg::Image* map, bool closed)
     return lit;
 }
 
+void addPanel(LitScene& lit)
+{
+    const osg::ref_ptr<osgEnvLight::AreaLight> panel = new osgEnvLight::AreaLight;
+    panel->setRectangle(osg::Vec3d(0.95, 0, 0), osg::Vec3d(0, 0.3, 0), osg::Vec3d(0, 0, -0.3));
+    panel->setRadiance(osg::Vec3f(2, 2, 2));
+    lit.addChild(panel);
+}
+
 void lookBehindTheScreen(SceneRenderer& renderer)
 {
     renderer.lookAt(osg::Vec3d(-0.9, -0.9, 0), osg::Vec3d(0.8, 0.5, 0), osg::Vec3d(0, 0, 1), 70.0);
@@ -125,10 +133,10 @@ TEST(Gather, ARoomLitThroughASlotIsThatOfFullTransport)
     EXPECT_LT(errors.rays, 0.6 * errors.probes);
 }
 
-// A spot and a panel, round a corner. Measured: .0080, .0068.
+// A spot and a panel, round a corner, and no map. Measured: .0080, .0068.
 TEST(Gather, LampsInARoomLightItAsInFullTransport)
 {
-    const osg::ref_ptr<LitScene> lit = makeRoom(constantMap(0.01).get(), false);
+    const osg::ref_ptr<LitScene> lit = makeRoom(constantMap(0.0).get(), false);
     const osg::ref_ptr<osg::LightSource> lamp = new osg::LightSource;
     lamp->getLight()->setLightNum(1);
     lamp->getLight()->setPosition(osg::Vec4(0.5f, 0.0f, 0.5f, 1.0f));
@@ -137,15 +145,27 @@ TEST(Gather, LampsInARoomLightItAsInFullTransport)
     lamp->getLight()->setDiffuse(osg::Vec4(1, 1, 1, 1));
     lit->addChild(lamp);
     lit->getOrCreateStateSet()->setMode(GL_LIGHT1, osg::StateAttribute::ON);
-    const osg::ref_ptr<osgEnvLight::AreaLight> panel = new osgEnvLight::AreaLight;
-    panel->setRectangle(osg::Vec3d(0.95, 0, 0), osg::Vec3d(0, 0.3, 0), osg::Vec3d(0, 0, -0.3));
-    panel->setRadiance(osg::Vec3f(2, 2, 2));
-    lit->addChild(panel);
+    addPanel(*lit);
     SceneRenderer renderer(40, 40);
     lookBehindTheScreen(renderer);
     const Errors errors = errorsOf(*lit, renderer, 33);
     EXPECT_LT(errors.rays, 0.01);
     EXPECT_LT(errors.rays, errors.probes);
+}
+
+// Where the map is black, lobes show lamps and the scene alone. Measured: .014.
+TEST(Gather, MetalInALamplitRoomIsThatOfFullTransport)
+{
+    const osg::ref_ptr<LitScene> lit = makeRoom(constantMap(0.0).get(), false);
+    addPanel(*lit);
+    const osg::ref_ptr<osg::Geode> metal = makeBox(osg::Vec3d(0.2, 0.2, -1), osg::Vec3d(0.6, 0.6, -0.4));
+    Material::setCookTorrance(*metal->getOrCreateStateSet(), osg::Vec3f(0.9f, 0.9f, 0.9f), 1.0f, 0.4f);
+    lit->addChild(metal);
+    SceneRenderer renderer(40, 40);
+    lookBehindTheScreen(renderer);
+    const Errors errors = errorsOf(*lit, renderer, 33);
+    EXPECT_LT(errors.rays, 0.017);
+    EXPECT_GE(lit->average().frames, 30u);
 }
 
 // What rays would get wrong, the probes say as before, but for what 64 bounces leave out.

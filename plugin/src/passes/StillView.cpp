@@ -51,7 +51,6 @@ Requirement requireStill(const FrameContext& c)
 {
     Requirement still;
     still.unless(!c.settings.accumulate, "switched off");
-    still.unless(c.facts.mapIsBlack, "the map is black");
     still.unless(c.settings.view != Settings::BEAUTY, "an intermediate is shown");
     still.unless(!c.decisions.atlas.needed, "without the atlas there is nothing to converge to: " + c.decisions.atlas.reason);
     still.unless(c.facts.surfaces.deferred == 0, c.facts.whyNoneIsDeferred());
@@ -164,6 +163,7 @@ void AccumulatePass::setup(PassBuilder& b, FrameContext& c)
     readPicture(b, c);
     if (b.read("gathered", "gatheredMap")) b.define("HAS_GATHERED");
     readSkyMaps(b, c, "accumulate", *c.stillMaps, c.stillNearMaps);
+    b.define("MAP_IS_BLACK", c.facts.mapIsBlack);
     readLobes(b, c);
     for (const TextureId target : {average, squares}) a.frames() > 1 ? b.addTo(target) : b.write(target);
 }
