@@ -21,8 +21,10 @@ Requirement requireGather(const FrameContext& c)
     gather.unless(!c.still, "no still view is averaged");
     gather.unless(!c.indirect, "there are no probes");
     if (!gather.needed) return gather;
-    gather.unless(!c.indirect->scene->rays, "the scene has too many triangles for rays");
-    gather.unless(c.indirect->scene->rays && !c.indirect->scene->rays->isExact, "something has holes");
+    const TransportScene& scene = *c.indirect->scene;
+    gather.unless(scene.triangles > SceneRays::mostTriangles, "the scene has too many triangles for rays");
+    gather.unless(!scene.rays, "the triangles are being made ready for rays");
+    gather.unless(scene.rays && !scene.rays->isExact, "something has holes");
     gather.unless(!c.indirect->isOfCasters || !c.skyMaps->still().noneMoves(), "something moves");
     return gather;
 }
