@@ -23,7 +23,7 @@ uniform int accumulateRays;
 // Radiance that a white surface would send on.
 layout(location = 0) out vec4 rayLight;
 
-// Surfaces along a ray's path that are lit by the frame's lights; the probes, which light leaks into, then stand for all others. A room
+// The frame's lights light so many surfaces along a path. The probes, into which light leaks, stand for all surfaces behind them. A room
 // with a slot for a window after 64 frames, beside full light transport: 16.1, 11.6, 9.5 % with 1, 2, 3; 26.1 % by probes alone.
 const int PATH_SURFACES = 3;
 // From a ray to the next of a frame: 65536 points of the R2 sequence further on, where the frames do not come.

@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// The rays of a 4x4 cell of pixels go in different directions; the light that surfaces send changes little within the cell. So each pixel
-// of a still view takes the mean of the cell about it, as far as it is one surface; in the first frames, which are noisy, of 2x2 cells.
+// The 16 pixels of a cell send rays in different directions. What surfaces send changes little within a cell, so each pixel of a still
+// view takes the mean over a cell about it, where that is one surface. The first frames are noisy: they take the mean over 2x2 cells.
 #include "lib/bilateral.glsl"
 #include "pass/gbuffer.glsl"
 

@@ -41,10 +41,7 @@ Truth truthOf(osgEnvLight::LitScene& lit, SceneRenderer& renderer, const Picture
     const osgEnvLight::ReferenceResult result =
         tracedView(lit, renderer, samples, {Layer::BEAUTY, Layer::NORMAL, Layer::DEPTH}, true, paths);
     Truth truth{result.mean(Layer::BEAUTY), result.standardError(Layer::BEAUTY), Mask()};
-    Picture surface = result.mean(Layer::NORMAL);
-    for (size_t i = 0; i < surface.pixels(); ++i) surface.rgba[4 * i + 3] = truth.mean.rgba[4 * i + 3];
-    truth.inside =
-        osgEnvLight::withoutEdges(Mask::geometry(truth.mean) & Mask::geometry(picture), surface, result.mean(Layer::DEPTH));
+    truth.inside = awayFromEdges(Mask::geometry(truth.mean) & Mask::geometry(picture), result);
     return truth;
 }
 

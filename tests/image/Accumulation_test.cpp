@@ -58,10 +58,8 @@ double errorOf(const Picture& picture, LitScene& lit, SceneRenderer& renderer, u
     using osgEnvLight::Layer;
     const osgEnvLight::ReferenceResult result = tracedView(lit, renderer, samples, {Layer::BEAUTY, Layer::NORMAL, Layer::DEPTH});
     const Picture truth = result.mean(Layer::BEAUTY);
-    Picture surface = result.mean(Layer::NORMAL);
-    for (size_t i = 0; i < surface.pixels(); ++i) surface.rgba[4 * i + 3] = truth.rgba[4 * i + 3];
-    const osgEnvLight::Mask inside = osgEnvLight::withoutEdges(
-        osgEnvLight::Mask::geometry(truth) & osgEnvLight::Mask::geometry(picture), surface, result.mean(Layer::DEPTH));
+    const osgEnvLight::Mask inside =
+        awayFromEdges(osgEnvLight::Mask::geometry(truth) & osgEnvLight::Mask::geometry(picture), result);
     const osgEnvLight::ErrorFigures e = osgEnvLight::compare(picture, truth, result.standardError(Layer::BEAUTY), inside);
     return e.rmse / e.mean;
 }

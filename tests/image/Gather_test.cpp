@@ -88,9 +88,7 @@ Errors errorsOf(LitScene& lit, SceneRenderer& renderer, unsigned frames)
     const osgEnvLight::ReferenceResult traced =
         tracedView(lit, renderer, 1024, {Layer::BEAUTY, Layer::NORMAL, Layer::DEPTH}, true, ReferenceOptions::FULL);
     const Picture truth = traced.mean(Layer::BEAUTY);
-    Picture surface = traced.mean(Layer::NORMAL);
-    for (size_t i = 0; i < surface.pixels(); ++i) surface.rgba[4 * i + 3] = truth.rgba[4 * i + 3];
-    const Mask inside = osgEnvLight::withoutEdges(Mask::geometry(truth), surface, traced.mean(Layer::DEPTH));
+    const Mask inside = awayFromEdges(Mask::geometry(truth), traced);
     Errors errors;
     const Picture noise = traced.standardError(Layer::BEAUTY);
     errors.probes = compare(renderer.render(&lit, int(frames)), truth, noise, inside).tRmse;

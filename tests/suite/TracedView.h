@@ -4,6 +4,7 @@
 
 #include <SceneRenderer.h>
 
+#include <metrics/Mask>
 #include <reference/Reference>
 
 /** The scene as the renderer's camera sees it now, its map unturned, by that many samples a pixel.
@@ -30,4 +31,14 @@ inline osgEnvLight::ReferenceResult tracedView(osgEnvLight::LitScene& lit, Scene
     options.paths = paths;
     options.antialias = antialias;
     return osgEnvLight::Reference(rays, eye, environment).render(options, layers);
+}
+
+/** Of those pixels the ones that no edge crosses. traced: with Layer::BEAUTY, NORMAL and DEPTH. */
+inline osgEnvLight::Mask awayFromEdges(const osgEnvLight::Mask& pixels, const osgEnvLight::ReferenceResult& traced)
+{
+    using osgEnvLight::Layer;
+    const Picture beauty = traced.mean(Layer::BEAUTY);
+    Picture surface = traced.mean(Layer::NORMAL);
+    for (size_t i = 0; i < surface.pixels(); ++i) surface.rgba[4 * i + 3] = beauty.rgba[4 * i + 3];
+    return osgEnvLight::withoutEdges(pixels, surface, traced.mean(Layer::DEPTH));
 }
