@@ -12,6 +12,8 @@
 #define BRDF_COATED 6         // Cook-Torrance with GGX below a clear coat
 #define BRDF_ANISOTROPIC 7    // Cook-Torrance with GGX whose highlights are drawn out along a direction
 
+const float PAINTED_ROUGHNESS = 0.2;  // of metal whose reflection is painted on by a sphere or cube map
+
 // A number with 13 bits of parameters, as the 16 bits that the G-buffer keeps.
 uint packKind(int brdf, uint parameters)
 {

@@ -5,7 +5,7 @@
 // still show the mean radiance of what blocks light. No earlier frame is read, so nothing trails behind what moves. Where the picture does
 // not show what a ray meets, the scene's triangles do.
 #pragma import_defines(HAS_AREA_LIGHTS, HAS_SCENE_RAYS, RAYS_MEET_ALL)
-#include "lib/frame.glsl"
+#include "lib/lobesample.glsl"
 #include "lib/march.glsl"
 #include "lib/sequence.glsl"
 #include "pass/gbuffer.glsl"
@@ -40,15 +40,8 @@ const float HIT_TOLERANCE = 0.5;  // distance from a surface's plane at which a 
 // A direction of the lobe in its local frame; below the horizon it meets nothing.
 vec3 lobeDirection(Bsdf b, vec3 v, int group)
 {
-    vec3 mirrored = vec3(-v.x, -v.y, v.z);
-    if (evenRoughness(b) < NARROW_ROUGHNESS) return mirrored;
-    vec2 u = cellPoint(0, float(group), 1) + vec2(1.0 / 32.0);
-#if defined(HAS_PHONG) || defined(HAS_STRAUSS)
-    if (isMirrored(b.brdf))
-        return frameAround(mirrored) * phongSample(phongExponent(b.roughness), u);
-#endif
-    vec3 h = ggxVisibleNormalSample(v, lobeAlpha(b), u);
-    return 2.0 * dot(v, h) * h - v;
+    if (evenRoughness(b) < NARROW_ROUGHNESS) return vec3(-v.x, -v.y, v.z);
+    return sampleLobe(b, v, cellPoint(0, float(group), 1) + vec2(1.0 / 32.0)).direction;
 }
 
 // What a pixel of the picture sends. What lobes reflect of an area light is known, whether the picture shows the light or not.

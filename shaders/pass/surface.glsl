@@ -159,7 +159,6 @@ gl_MaterialParameters hostMaterial()
 
 #if defined(PAINTED_REFLECTION) && !defined(ENVLIGHT_MATERIAL)
 // A sphere or cube map that is painted on as a reflection: polished metal, which reflects the map itself.
-const float PAINTED_ROUGHNESS = 0.2;
 const float PAINTED_REFLECTANCE = 0.9;
 #endif
 

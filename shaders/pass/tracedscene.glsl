@@ -8,17 +8,31 @@
 
 uniform sampler2D rayNodeMap;
 uniform sampler2D rayTriangleMap;
-uniform sampler2D surfaceColorMap;  // two texels a surface
+uniform sampler2D surfaceColorMap;  // SURFACE_TEXELS a surface
 
-// Share of light that its layers reflect.
+// What the surface that is met reflects by its two layers, and how wide the lobe is.
+struct TracedLayers {
+    vec3 diffuse;
+    vec3 glossy;
+    float roughness;
+};
+
+TracedLayers tracedLayers(SceneHit hit)
+{
+    vec4 glossy = rayTexel(surfaceColorMap, SURFACE_TEXELS * hit.surface + 1);
+    return TracedLayers(rayTexel(surfaceColorMap, SURFACE_TEXELS * hit.surface).rgb, glossy.rgb, glossy.a);
+}
+
+// Share of light that both reflect.
 vec3 tracedReflectance(SceneHit hit)
 {
-    return rayTexel(surfaceColorMap, 2 * hit.surface).rgb;
+    TracedLayers layers = tracedLayers(hit);
+    return layers.diffuse + layers.glossy;
 }
 
 vec3 tracedEmission(SceneHit hit)
 {
-    return rayTexel(surfaceColorMap, 2 * hit.surface + 1).rgb * emittedScale();
+    return rayTexel(surfaceColorMap, SURFACE_TEXELS * hit.surface + 2).rgb * emittedScale();
 }
 
 #endif

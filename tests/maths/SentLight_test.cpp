@@ -110,6 +110,22 @@ TEST(SentLight, IsThatOfEachLayer)
     EXPECT_NEAR(0.34f, sentBy(*s).glossy[0], 0.01f);  // two thirds of .5, and Fresnel's rise
 }
 
+// As the lobes that pixels have: roughness is the root of alpha, and alpha = sqrt(2 / (n + 2)).
+TEST(SentLight, KnowsHowRoughTheLobeIs)
+{
+    osg::ref_ptr<osg::StateSet> s = new osg::StateSet;
+    const osg::ref_ptr<osg::Material> material = makeMaterial(osg::Vec3f(0.5f, 0, 0), osg::Vec3f(0, 0.5f, 0));
+    material->setShininess(osg::Material::FRONT_AND_BACK, 30);
+    s->setAttribute(material);
+    EXPECT_FLOAT_EQ(0.5f, sentBy(*s).roughness);
+    Material::setCookTorrance(*s, osg::Vec3f(0.9f, 0.6f, 0.3f), 1.0f, 0.3f);
+    EXPECT_FLOAT_EQ(0.3f, sentBy(*s).roughness);
+    Material::setPhong(*s, osg::Vec3f(), osg::Vec3f(0.6f, 0.6f, 0.6f), 510.0f);
+    EXPECT_FLOAT_EQ(0.25f, sentBy(*s).roughness);
+    Material::setPhong(*s, osg::Vec3f(), osg::Vec3f(0.6f, 0.6f, 0.6f), std::numeric_limits<float>::quiet_NaN());
+    EXPECT_FLOAT_EQ(1.0f, sentBy(*s).roughness);
+}
+
 // Ke 9 of an OBJ's lamp is nine times white, not what the display's curve would make of it.
 TEST(SentLight, OfAHostsEmissionAboveOneIsLinear)
 {

@@ -99,10 +99,13 @@ void SceneRays::writeCells(const TracedScene& scene, const std::vector<SurfacePa
 
 osg::ref_ptr<osg::Texture2D> SceneRays::colors(const StaticCasters::Parts& parts)
 {
-    Texels texels = makeTable(2 * parts.size());
+    Texels texels = makeTable(limits::SURFACE_TEXELS * parts.size());
     for (size_t i = 0; i < parts.size(); ++i) {
-        texels.put(int(2 * i), parts[i].sent.diffuse + parts[i].sent.glossy, 1.0f);
-        texels.put(int(2 * i + 1), parts[i].sent.emission, 1.0f);
+        const SentLight& sent = parts[i].sent;
+        const int first = limits::SURFACE_TEXELS * int(i);
+        texels.put(first, sent.diffuse, 1.0f);
+        texels.put(first + 1, sent.glossy, sent.roughness);
+        texels.put(first + 2, sent.emission, 1.0f);
     }
     return texels.texture(GL_RGBA32F_ARB);
 }

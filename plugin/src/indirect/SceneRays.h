@@ -32,7 +32,8 @@ class OSGENVLIGHT_EXPORT SceneRays : public osg::Referenced
     /** For pass/scenecells.glsl. */
     osg::ref_ptr<osg::StateSet> uniforms;
 
-    /** Two texels a surface, in rows of RAY_COLUMNS: what it reflects of the light that it receives, and what it emits.
+    /** SURFACE_TEXELS a surface, in rows of RAY_COLUMNS: what its diffuse layer reflects of the light that it receives, what its
+     * lobe does, with the lobe's roughness, and what it emits.
      * @param parts  those that the scene was made from, as they are now */
     static osg::ref_ptr<osg::Texture2D> colors(const StaticCasters::Parts& parts);
 

@@ -80,6 +80,12 @@ osg::Vec3f meanFresnel(const osg::Vec3f& f0)
     return mixed(f0, osg::Vec3f(grazing, grazing, grazing), 1.0f / 21.0f);
 }
 
+// In [0,1], whatever the exponent.
+float roughnessOf(double exponent)
+{
+    return float(glsl::phongRoughness(exponent > 0.0 ? exponent : 0.0));
+}
+
 }  // namespace
 
 void SentLightState::merge(const osg::StateSet& s)
@@ -92,6 +98,7 @@ void SentLightState::merge(const osg::StateSet& s)
     read(s, "envlightMetalness", _metalness);
     read(s, "envlightSmoothness", _smoothness);
     read(s, "envlightExponent", _exponent);
+    read(s, "envlightRoughness", _roughness);
     read(s, MaterialMaps::dielectric, _dielectric);
 }
 
@@ -135,9 +142,14 @@ float SentLightState::opacity() const
 SentLight SentLightState::hostLight(const osg::Vec3f& color, bool displayColors) const
 {
     if (unlit()) return {osg::Vec3f(), osg::Vec3f(), color};
-    if (paintedReflection()) return {osg::Vec3f(), color, emission(displayColors)};
     SentLight sent{color, osg::Vec3f(), emission(displayColors)};
+    if (paintedReflection()) {
+        std::swap(sent.diffuse, sent.glossy);
+        sent.roughness = float(glsl::PAINTED_ROUGHNESS);
+        return sent;
+    }
     if (!phongMaterial()) return sent;
+    sent.roughness = roughnessOf(double(osgMaterial()->getShininess(osg::Material::FRONT)));
     sent.glossy = decoded(rgb(osgMaterial()->getSpecular(osg::Material::FRONT)), displayColors);
     const osg::Vec3f sum = sent.diffuse + sent.glossy;
     const float most = std::max({1.0f, sum[0], sum[1], sum[2]});
@@ -167,6 +179,7 @@ void SentLightState::setLayers(SentLight& sent, const osg::Vec3f& color) const
         case Material::BLINN_PHONG:
             sent.diffuse = color;
             sent.glossy = _specular;
+            sent.roughness = roughnessOf(double(_exponent));
             if (brdf() == Material::PHONG)
                 sent.glossy *= float(meanByCosine([&](double c) { return glsl::phongAlbedo(double(_exponent), c); }));
             break;
@@ -175,6 +188,7 @@ void SentLightState::setLayers(SentLight& sent, const osg::Vec3f& color) const
             const float glass = float(glsl::DIELECTRIC_F0);
             const osg::Vec3f f0 = mixed(dielectric() ? _dielectric : osg::Vec3f(glass, glass, glass), color, _metalness);
             sent.glossy = meanFresnel(f0);
+            sent.roughness = _roughness;
             sent.diffuse = osg::componentMultiply(color * (1.0f - _metalness), whole - sent.glossy);
             break;
         }
@@ -184,6 +198,7 @@ void SentLightState::setLayers(SentLight& sent, const osg::Vec3f& color) const
                 [&](double c) { return glsl::straussReflectance(s, c, c) * glsl::phongAlbedo(glsl::straussExponent(s), c); });
             sent.glossy = mixed(whole, color, _metalness) * float(lobe.x) + whole * float(lobe.y);
             sent.diffuse = color * float(glsl::straussDiffuse(s, double(_metalness)));
+            sent.roughness = roughnessOf(glsl::straussExponent(s));
             break;
         }
         default:

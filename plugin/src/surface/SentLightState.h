@@ -33,6 +33,7 @@ class OSGENVLIGHT_EXPORT SentLightState : public SurfaceState
     float _metalness = 0.0f;
     float _smoothness = 0.0f;
     float _exponent = 0.0f;
+    float _roughness = 0.0f;
 };
 
 }  // namespace osgEnvLight
