@@ -29,6 +29,7 @@ const int BVH_DEPTH = 64;         // most levels of the hierarchy of triangles
 const int RAY_COLUMNS = 2048;     // texels in each row of the tables that rays through the scene read
 const int CELL_POINTS = 8;        // surface points that a cell knows of each facing
 const int SURFACE_TEXELS = 3;     // of the table of what a surface does with light
+const int TRIANGLE_TEXELS = 4;    // of the table of triangles
 const int RAY_LEAF = 8;           // more than the triangles of a leaf
 
 // A texture of 16 bits keeps the marks. Each mark lies a quarter of a step above a number of 16 bits. It becomes that number whether

@@ -25,6 +25,19 @@ vec3 directionFromOctahedral(vec2 st)
     return normalize(vec3(p, z));
 }
 
+// A direction as a whole number below 2^24, which a float holds exactly, to .06 degrees; the axes are exact.
+float packDirection(vec3 d)
+{
+    vec2 st = floor(octahedralFromDirection(d) * 4094.0 + 0.5);
+    return st.x * 4096.0 + st.y;
+}
+
+vec3 unpackDirection(float code)
+{
+    float x = floor(code / 4096.0);
+    return directionFromOctahedral(vec2(x, code - 4096.0 * x) / 4094.0);
+}
+
 // Solid angle [sr] per unit area of the square at st: 4 / |q|^3, q the point of the octahedron |x|+|y|+|z| = 1.
 float octahedralSolidAngleDensity(vec2 st)
 {

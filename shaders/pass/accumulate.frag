@@ -3,13 +3,15 @@
 // One frame of a still view: fresh lights of the map, each with a shadow map of its own, shade the whole BRDF of every pixel
 // [occlusion.md 5.1]. Their average over the frames is direct light with the visibility of each direction.
 // D = num + V (U - den): U, the term D, is free of their noise, and V is how much of it to trust, a constant of the
-// view; whatever it is, the mean stays num. S - O_S likewise with V = 1: where nothing is in the way there is no noise.
+// view; whatever it is, the mean stays num. S likewise. V is what the first frame saw: where nothing is in the way, or all is, there is no
+// noise.
 // A black map's lights only say how much of the sphere is seen.
 #pragma import_defines(MAP_IS_BLACK)
 
 #include "lib/tone.glsl"
 #include "pass/pixelbsdf.glsl"
 #include "pass/atlas.glsl"
+#include "pass/lobeshown.glsl"
 #include "pass/lobewidth.glsl"
 #include "pass/picture.glsl"
 
@@ -50,7 +52,8 @@ vec3 surface(ivec2 p)
     bool isGlossy = lobe.bsdf.brdf != BRDF_LAMBERT && lobe.share > 0.0;
     vec3 num = vec3(0.0);  // from the diffuse layer
     vec3 den = vec3(0.0);
-    vec3 kept = vec3(0.0);  // from the lobe
+    vec3 shown = unpackShown(texelFetch(specularTermMap, p, 0).a);
+    vec3 change = vec3(0.0);  // of the lobe
 #ifndef MAP_IS_BLACK
     int lights = textureSize(atlasLightMap, 0).x * LIGHT_GROUPS;
     for (int i = 0; i < lights; ++i) {
@@ -65,14 +68,13 @@ vec3 surface(ivec2 p)
         vec3 d = e * rho;
 #endif
         den += d;
-        if (atlasSees(light, point, normal, c) > 0.5)
-            num += d;
-        else if (isGlossy)
-            kept += e * bsdfLobe(lobe.bsdf, lobe.v, transpose(lobe.eyeFromLocal) * direction);
+        float sees = atlasSees(light, point, normal, c) > 0.5 ? 1.0 : 0.0;
+        num += sees * d;
+        if (isGlossy) change += (sees - shown) * e * bsdfLobe(lobe.bsdf, lobe.v, transpose(lobe.eyeFromLocal) * direction);
     }
 #endif
     vec3 diffuse = (num - ambientVisibility(p) * den) * (INV_PI * radianceScale) + ambientVisibility(p) * (diffuseTerm(p) + sunDiffuse(p));
-    vec3 specular = specularTerm(p) - lobe.share * kept * radianceScale;
+    vec3 specular = specularTerm(p) + lobe.share * change * radianceScale;
     return emitted(p) + diffuse + specular + bounce(p);
 }
 

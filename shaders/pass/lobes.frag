@@ -3,10 +3,11 @@
 // SPDX-License-Identifier: MIT
 // S, last part: the rows' sums filtered along columns. The map's radiance in the lobe is a ratio of two sums, so that an even map is
 // reflected exactly. What the scene leaves of it is a ratio of sums over lights, one for each colour [specular.md 4]. Suns and coats are added.
-// LOBES_SHARP: a still view's later frames average over time instead, and take what is blocked light by light.
+// LOBES_SHARP: a still view's later frames average over time instead. The first one's share is a beginning that they correct.
 #pragma import_defines(HAS_SUNS, LOBES_SHARP, HAS_SHOWN, KEEPS_SHOWN, KEEPS_HIDDEN, MAP_IS_BLACK)
 
 #include "pass/lobefilter.glsl"
+#include "pass/lobeshown.glsl"
 
 #ifdef HAS_SUNS
 uniform sampler2D sunGlintMap;
@@ -44,9 +45,10 @@ void main()
 #endif
 #ifdef LOBES_SHARP
 #ifdef HAS_SHOWN
-    // Of a lobe that is too narrow for their lights.
-    shown = mix(texelFetch(shownMap, p, 0).rgb, vec3(1.0), lightedShare(texelFetch(normalMap, p, 0).a));
+    shown = texelFetch(shownMap, p, 0).rgb;
 #endif
+    float code = packShown(shown);
+    shown = unpackShown(code);
 #else
     LobeSums sums = filteredLobes(p, ivec2(0, 1));
 #ifndef PREFILTERED
@@ -63,6 +65,9 @@ void main()
 #endif
     vec3 mean = estimate.a > 0.0 ? estimate.rgb / estimate.a : vec3(0.0);
     specular = vec4(mean * shown * reflected, 1.0);
+#ifdef LOBES_SHARP
+    specular.a = code;
+#endif
 #if defined(HAS_LOBE_LIGHTS) && defined(KEEPS_HIDDEN)
     hiddenLobe = vec4(mean * (1.0 - shown) * reflected, 1.0);
 #endif

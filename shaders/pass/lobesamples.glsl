@@ -7,31 +7,19 @@
 #pragma import_defines(HAS_SUNS, PREFILTERED)
 
 #include "lib/frame.glsl"
-#include "lib/latlong.glsl"
 #include "lib/limits.glsl"
-#include "lib/octahedral.glsl"
 #include "lib/prefiltered.glsl"
 #include "lib/sequence.glsl"
 #include "pass/albedo.glsl"
+#include "pass/maplight.glsl"
 #ifdef HAS_SUNS
 #include "lib/glint.glsl"
 #include "pass/suns.glsl"
 #endif
 
-#ifdef PREFILTERED
-uniform sampler2D prefilteredMap;
-#else
-uniform sampler2D pyramidMap;
-#endif
-uniform sampler2D latlongMap;
-uniform float pyramidSide;
-uniform float pyramidLastLevel;
 uniform int specularSamples;
 uniform vec2 sampleShift;    // of the points, in a still view
 uniform float sampleFrames;  // that will be averaged: each sample is as narrow as a share of theirs
-
-// Below this alpha one look-up at the map's own resolution is the lobe: a texel of a 1024-wide map is wider.
-const float MIRROR_ALPHA = 0.0009;
 
 struct LobePixel {
     Bsdf bsdf;
@@ -55,11 +43,6 @@ int samplesOf(Bsdf b)
     }
 #endif
     return specularSamples;
-}
-
-vec3 mirror(vec3 d)
-{
-    return textureLod(latlongMap, latlongFromDirection(d), 0.0).rgb;
 }
 
 #ifdef PREFILTERED
@@ -109,15 +92,10 @@ Tail sampleTail(LobePixel l, int i, float even)
     return Tail(left * mix(left, 1.0, even), mix(2.0 * left, 1.0, even));
 }
 
-// The level of the pyramid whose texels are as wide as one of the samples at density 1; half the density's log2 finer is right.
-float lodOfUnitDensity(LobePixel l)
+// That will be averaged.
+float samplesInAll(LobePixel l)
 {
-    return log2(pyramidSide) - 0.5 * log2(4.0 * PI * float(l.samples) * sampleFrames * l.companions);
-}
-
-vec3 filtered(vec3 d, float lod)
-{
-    return pyramidLookup(pyramidMap, pyramidSide, pyramidLastLevel, d, lod);
+    return float(l.samples) * sampleFrames * l.companions;
 }
 
 #ifdef HAS_MICROFACETS
@@ -129,7 +107,7 @@ vec4 microfacets(LobePixel l)
     GgxCap cap = ggxCap(v, alpha);
     float rootV = ggxRoot(v, alpha);
     float pdfFactor = ggxPdfFactor(v.z, rootV, alpha);
-    float lodOfUnitSpread = lodOfUnitDensity(l) - 0.5 * log2(pdfFactor);
+    float lodOfUnitSpread = lodOfUnitDensity(samplesInAll(l)) - 0.5 * log2(pdfFactor);
     vec2 azimuth = firstAzimuth(l);
     vec2 turn = unitVector(TWO_PI / float(l.samples));
     vec3 num = vec3(0.0);
@@ -163,7 +141,7 @@ vec4 mirrorLobe(LobePixel l)
     mat3 lobe = frameAround(vec3(-l.view.x, -l.view.y, l.view.z));
     vec2 azimuth = firstAzimuth(l);
     vec2 turn = unitVector(TWO_PI / float(l.samples));
-    float unitLod = lodOfUnitDensity(l);
+    float unitLod = lodOfUnitDensity(samplesInAll(l));
     vec3 sum = vec3(0.0);
     for (int i = 0; i < l.samples; ++i) {
         Tail tail = sampleTail(l, i, 0.0);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Where does a ray meet a triangle of the scene? Two textures hold a hierarchy of boxes over the triangles. A node has two texels, the
 // corners of its box. The alpha of the first is the number of the node's first child; the second child follows it. A leaf has a negative
-// number there: -(RAY_LEAF * its first triangle + how many it has). A triangle has three texels: a corner, and in its alpha the number of
-// the surface; then the two edges from there.
+// number there: -(RAY_LEAF * its first triangle + how many it has). A triangle has four texels: a corner, and in its alpha the number of
+// the surface; the two edges from there; packDirection() of the corners' normals, negative where the triangle is flat.
 #ifndef SCENERAYS_GLSL
 #define SCENERAYS_GLSL
 
 #include "lib/limits.glsl"
+#include "lib/octahedral.glsl"
 
 const float MISSED = 3e38;
 
@@ -14,6 +15,8 @@ struct SceneHit {
     float distance;  // MISSED: nothing is met
     vec3 normal;     // of any length, against the ray
     int surface;
+    int triangle;
+    vec2 at;         // shares of its two edges
 };
 
 vec4 rayTexel(sampler2D table, int i)
@@ -37,9 +40,9 @@ float boxEntry(vec3 low, vec3 high, vec3 origin, vec3 inverse, float limit)
 void meetTriangle(sampler2D triangles, int i, vec3 origin, vec3 direction, inout SceneHit hit)
 {
     const float margin = 1e-5;  // of an edge, beyond what single precision loses
-    vec4 corner = rayTexel(triangles, 3 * i);
-    vec3 edge = rayTexel(triangles, 3 * i + 1).xyz;
-    vec3 otherEdge = rayTexel(triangles, 3 * i + 2).xyz;
+    vec4 corner = rayTexel(triangles, TRIANGLE_TEXELS * i);
+    vec3 edge = rayTexel(triangles, TRIANGLE_TEXELS * i + 1).xyz;
+    vec3 otherEdge = rayTexel(triangles, TRIANGLE_TEXELS * i + 2).xyz;
     vec3 p = cross(direction, otherEdge);
     float determinant = dot(edge, p);
     float inverse = 1.0 / (determinant == 0.0 ? 1.0 : determinant);
@@ -50,14 +53,14 @@ void meetTriangle(sampler2D triangles, int i, vec3 origin, vec3 direction, inout
     float distance = dot(otherEdge, q) * inverse;
     if (determinant == 0.0 || u < -margin || u > 1.0 + margin || v < -margin || u + v > 1.0 + margin) return;
     if (!(distance > 0.0 && distance < hit.distance)) return;
-    hit = SceneHit(distance, cross(edge, otherEdge) * (determinant > 0.0 ? 1.0 : -1.0), int(corner.w));
+    hit = SceneHit(distance, cross(edge, otherEdge) * (determinant > 0.0 ? 1.0 : -1.0), int(corner.w), i, vec2(u, v));
 }
 
 // The nearest one. direction: of unit length.
 SceneHit sceneHit(sampler2D nodes, sampler2D triangles, vec3 origin, vec3 direction, float within)
 {
     vec3 inverse = 1.0 / mix(direction, vec3(1e-20), lessThan(abs(direction), vec3(1e-20)));
-    SceneHit hit = SceneHit(within, vec3(0.0), 0);
+    SceneHit hit = SceneHit(within, vec3(0.0), 0, 0, vec2(0.0));
     int waiting[BVH_DEPTH];  // nodes, at most one a level
     int count = 0;
     vec4 root = rayTexel(nodes, 0);
@@ -83,6 +86,17 @@ SceneHit sceneHit(sampler2D nodes, sampler2D triangles, vec3 origin, vec3 direct
     }
     if (hit.distance == within) hit.distance = MISSED;
     return hit;
+}
+
+// Of unit length, between those of the triangle's corners, on the side that is met.
+vec3 smoothNormal(sampler2D triangles, SceneHit hit)
+{
+    vec3 own = normalize(hit.normal);
+    vec4 codes = rayTexel(triangles, TRIANGLE_TEXELS * hit.triangle + 3);
+    if (codes.x < 0.0) return own;
+    vec3 n = (1.0 - hit.at.x - hit.at.y) * unpackDirection(codes.x) + hit.at.x * unpackDirection(codes.y) +
+             hit.at.y * unpackDirection(codes.z);
+    return dot(n, n) > 0.0 ? normalize(dot(n, own) < 0.0 ? -n : n) : own;
 }
 
 #endif

@@ -10,23 +10,23 @@ uniform sampler2D rayNodeMap;
 uniform sampler2D rayTriangleMap;
 uniform sampler2D surfaceColorMap;  // SURFACE_TEXELS a surface
 
-// What the surface that is met reflects by its two layers, and how wide the lobe is.
+// What a surface reflects by its two layers, and how wide the lobe is.
 struct TracedLayers {
     vec3 diffuse;
     vec3 glossy;
     float roughness;
 };
 
-TracedLayers tracedLayers(SceneHit hit)
+TracedLayers tracedLayers(int surface)
 {
-    vec4 glossy = rayTexel(surfaceColorMap, SURFACE_TEXELS * hit.surface + 1);
-    return TracedLayers(rayTexel(surfaceColorMap, SURFACE_TEXELS * hit.surface).rgb, glossy.rgb, glossy.a);
+    vec4 glossy = rayTexel(surfaceColorMap, SURFACE_TEXELS * surface + 1);
+    return TracedLayers(rayTexel(surfaceColorMap, SURFACE_TEXELS * surface).rgb, glossy.rgb, glossy.a);
 }
 
 // Share of light that both reflect.
 vec3 tracedReflectance(SceneHit hit)
 {
-    TracedLayers layers = tracedLayers(hit);
+    TracedLayers layers = tracedLayers(hit.surface);
     return layers.diffuse + layers.glossy;
 }
 

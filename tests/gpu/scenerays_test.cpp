@@ -151,4 +151,29 @@ TEST(scenerays, PassWhatIsMostlyHoles)
     EXPECT_FLOAT_EQ(1.0f, hit.y);
 }
 
+// Between the corners', on the side that is met; of a flat triangle its own.
+TEST(scenerays, NormalsAreThoseBetweenTheCorners)
+{
+    TracedScene scene;
+    addTriangle(scene, addSurface(scene, false), Vec3f(0, 0, 0), Vec3f(4, 0, 0), Vec3f(0, 4, 0));
+    addTriangle(scene, addSurface(scene, false), Vec3f(0, 0, 5), Vec3f(4, 0, 5), Vec3f(0, 4, 5));
+    const Vec3f corners[3] = {Vec3f(0.6f, 0, 0.8f), Vec3f(0, 0, 1), Vec3f(0, -0.6f, 0.8f)};
+    scene.normals = {{}, osgEnvLight::CasterMesh::flat};
+    for (size_t k = 0; k < 3; ++k)
+        scene.normals[0][k] = float(glsl::packDirection(glsl::vec3(corners[k].x(), corners[k].y(), corners[k].z())));
+    const osg::ref_ptr<SceneRays> gpu = new SceneRays(scene, CasterBvh(scene), {}, 16);
+    const std::vector<std::vector<glm::vec4>> rays = {{glm::vec4(1, 2, 2, 0), glm::vec4(1, 2, -2, 0), glm::vec4(1, 2, 3, 0)},
+                                                      {glm::vec4(0, 0, -1, 0), glm::vec4(0, 0, 1, 0), glm::vec4(0, 0, 1, 0)}};
+    const std::vector<glm::vec4> normals = parity::context().evaluate(
+        {"pass/scenerays.glsl"}, "result = vec4(smoothNormal(triangles, sceneHit(nodes, triangles, a.xyz, b.xyz, 1e3)), 0.0);",
+        rays, {tableOf("nodes", *gpu->nodes), tableOf("triangles", *gpu->triangles)});
+    Vec3f exact = corners[0] * 0.25f + corners[1] * 0.25f + corners[2] * 0.5f;
+    exact.normalize();
+    for (int k = 0; k < 3; ++k) {  // 1e-3: packDirection()
+        EXPECT_NEAR(exact[k], normals[0][k], 1e-3f);
+        EXPECT_NEAR(-exact[k], normals[1][k], 1e-3f);
+    }
+    EXPECT_NEAR(-1.0f, normals[2].z, 1e-6f);
+}
+
 }  // namespace scenerays_test

@@ -7,6 +7,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+
+#include "glsl.h"
 
 namespace CoarseMesh_test
 {
@@ -16,11 +19,12 @@ using namespace osgEnvLight;
 namespace
 {
 
-Caster casterOf(const TracedScene& scene)
+Caster casterOf(const TracedScene& scene, osg::Vec3Array* normals = nullptr)
 {
     const osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
     geometry->setVertexArray(new osg::Vec3Array(scene.positions.begin(), scene.positions.end()));
     geometry->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, int(scene.positions.size())));
+    if (normals) geometry->setNormalArray(normals, osg::Array::BIND_PER_VERTEX);
     Caster caster;
     caster.geometry = geometry;
     return caster;
@@ -144,6 +148,42 @@ TEST(CoarseMesh, ABodyIsClosedWhateverItsVerticesRoundTo)
             }
         EXPECT_TRUE(isClosed(meshOf(casterOf(ball), osg::Vec3d()))) << seed;
     }
+}
+
+// Mirrors show by their corners' normals what they reflect: a ball of triangles is round. Those of an ellipsoid are not the
+// directions of its corners.
+TEST(CoarseMesh, CornersKeepTheirNormals)
+{
+    TracedScene ball;
+    addSphere(ball, addSurface(ball, true), osg::Vec3f(), 1.0f, 64);
+    Caster caster = casterOf(ball, new osg::Vec3Array(ball.positions.begin(), ball.positions.end()));
+    caster.worldFromModel = osg::Matrixd::scale(1, 1, 2) * osg::Matrixd::translate(7, 0, 0);
+    const osg::Vec3d origin(7, 0, 0);
+    for (const double cell : {1e-6, 0.1}) {  // as it is, and coarse: corners of one cell are up to .17 apart
+        const CasterMesh mesh = coarseMesh(caster, origin, cell);
+        ASSERT_EQ(mesh.triangles.size(), mesh.normals.size());
+        const double most = cell < 0.01 ? 0.001 : 0.17;
+        for (size_t i = 0; i < mesh.triangles.size(); ++i)
+            for (size_t k = 0; k < 3; ++k) {
+                const osg::Vec3f& p = mesh.positions[mesh.triangles[i][k]];
+                osg::Vec3d exact(p.x(), p.y(), p.z() / 4);
+                exact.normalize();
+                const glsl::vec3 n = glsl::unpackDirection(double(mesh.normals[i][k]));
+                EXPECT_LT((osg::Vec3d(n.x, n.y, n.z) - exact).length(), most) << cell;
+            }
+    }
+}
+
+TEST(CoarseMesh, FlatTrianglesHaveNoNormals)
+{
+    TracedScene box;
+    addBox(box, addSurface(box, true), osg::Vec3f(-1, -1, -1), osg::Vec3f(1, 1, 1), false);
+    EXPECT_TRUE(meshOf(casterOf(box), osg::Vec3d()).normals.empty());
+    EXPECT_TRUE(meshOf(casterOf(box, new osg::Vec3Array(2)), osg::Vec3d()).normals.empty()) << "fewer normals than vertices";
+    const osg::ref_ptr<osg::Vec3Array> normals = new osg::Vec3Array;
+    for (size_t i = 0; i < box.positions.size(); ++i) normals->push_back(box.normal(i / 3));
+    normals->back() = osg::Vec3(0, 0, std::numeric_limits<float>::quiet_NaN());
+    for (const CasterMesh::Normals& n : meshOf(casterOf(box, normals), osg::Vec3d()).normals) EXPECT_EQ(CasterMesh::flat, n);
 }
 
 }  // namespace CoarseMesh_test

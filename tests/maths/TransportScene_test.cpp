@@ -31,7 +31,7 @@ TracedScene makeBody()
 
 CasterMesh meshOf(const TracedScene& scene)
 {
-    return {scene.positions, scene.triangles, {}};
+    return {scene.positions, scene.triangles, {}, {}};
 }
 
 const float* texel(const osg::Texture2D& texture, int i)
@@ -96,7 +96,8 @@ TEST(TransportScene, HasTablesForRaysWhereTheyAreAskedFor)
 {
     const auto mesh = std::make_shared<CasterMesh>(meshOf(makeBody()));
     const osg::Vec3f diffuse(0.1f, 0.2f, 0.3f), glossy(0.4f, 0.0f, 0.1f), emission(4, 5, 6);
-    const StaticCasters::Parts parts = {{mesh, {osg::Vec3f(), osg::Vec3f(), osg::Vec3f()}}, {mesh, {diffuse, glossy, emission}}};
+    const StaticCasters::Parts parts = {{mesh, {osg::Vec3f(), osg::Vec3f(), osg::Vec3f()}},
+                                        {mesh, {diffuse, glossy, emission, 1.0f, 0.3f}}};
     const osg::ref_ptr<TransportScene> without = new TransportScene(tracedScene(parts), osg::Vec3d(), 2, false),
                                        with = new TransportScene(tracedScene(parts), osg::Vec3d(), 2, true);
     EXPECT_FALSE(without->rays);
@@ -105,8 +106,12 @@ TEST(TransportScene, HasTablesForRaysWhereTheyAreAskedFor)
     for (const osg::Texture2D* t : with->rays->textures()) more += t->getImage()->getTotalSizeInBytes();
     EXPECT_EQ(without->bytes() + more, with->bytes());
     const osg::ref_ptr<osg::Texture2D> colors = SceneRays::colors(parts);
-    EXPECT_EQ(diffuse + glossy, osg::Vec3f(texel(*colors, 2)[0], texel(*colors, 2)[1], texel(*colors, 2)[2]));
-    EXPECT_EQ(emission, osg::Vec3f(texel(*colors, 3)[0], texel(*colors, 3)[1], texel(*colors, 3)[2]));
+    const int second = osgEnvLight::limits::SURFACE_TEXELS;
+    const auto color = [&](int i) { return osg::Vec3f(texel(*colors, i)[0], texel(*colors, i)[1], texel(*colors, i)[2]); };
+    EXPECT_EQ(diffuse, color(second));
+    EXPECT_EQ(glossy, color(second + 1));
+    EXPECT_EQ(0.3f, texel(*colors, second + 1)[3]);
+    EXPECT_EQ(emission, color(second + 2));
 }
 
 TEST(TransportScene, PointsSendOnWhatTheirSurfacesDo)

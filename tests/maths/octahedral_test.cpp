@@ -196,4 +196,21 @@ TEST(octahedral, EveryLevelKeepsTheFlux)
             << lod;
 }
 
+// At (1, 1, 1) the map is widest. Half a step of 1/4094 along both sides moves a point of x + y + z = 1 by (1, 1, -2) / 4094 there, at a
+// distance of 1 / sqrt 3 from the origin: an angle of sqrt(18) / 4094.
+TEST(octahedral, ADirectionFitsInto24Bits)
+{
+    Random random(9);
+    for (int i = 0; i < 100000; ++i) {
+        const vec3 d = random.direction();
+        const double code = glsl::packDirection(d);
+        ASSERT_EQ(code, std::floor(code));
+        ASSERT_LT(code, double(1 << 24));
+        ASSERT_EQ(code, double(float(code)));
+        ASSERT_LT(glsl::length(glsl::unpackDirection(code) - d), 1.05e-3);
+    }
+    for (const vec3& axis : {vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1), vec3(-1, 0, 0), vec3(0, -1, 0), vec3(0, 0, -1)})
+        EXPECT_EQ(axis, glsl::unpackDirection(glsl::packDirection(axis)));
+}
+
 }  // namespace octahedral_test

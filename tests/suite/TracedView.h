@@ -7,7 +7,7 @@
 #include <metrics/Mask>
 #include <reference/Reference>
 
-/** The scene as the renderer's camera sees it now, its map unturned, by that many samples a pixel.
+/** The scene as the renderer's camera sees it now, by that many samples a pixel.
  * @param antialias  over the pixel, as a still view's average; else at its middle, as a normal frame */
 inline osgEnvLight::ReferenceResult tracedView(osgEnvLight::LitScene& lit, SceneRenderer& renderer, unsigned samples,
                                                const std::set<osgEnvLight::Layer>& layers, bool antialias = true,
@@ -24,7 +24,8 @@ inline osgEnvLight::ReferenceResult tracedView(osgEnvLight::LitScene& lit, Scene
         osgEnvLight::flattenScene(lit, camera, renderer.viewer().getFrameStamp(), reading);
     const osgEnvLight::RayScene rays(triangles);
     const osgEnvLight::RayCamera eye(camera, lit.getBound());
-    const osgEnvLight::MapEnvironment environment(*map, 0.0, 1.0);
+    const osgEnvLight::EnvironmentMap& turned = *lit.getEnvironmentMap();
+    const osgEnvLight::MapEnvironment environment(*map, turned.getRotation(), turned.getIntensity());
     osgEnvLight::ReferenceOptions options;
     options.estimator = osgEnvLight::ReferenceOptions::MIS;
     options.samples = samples;

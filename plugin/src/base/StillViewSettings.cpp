@@ -19,10 +19,10 @@ std::vector<SettingsProperty> StillViewSettings::properties()
             "of 16"),
         number("accumulateSize", &S::accumulateSize, 16, 4096, "texels",
                "side of the shadow maps of a still view, half of it in the first 15 frames"),
-        uniform(
-            number("accumulateRays", &S::accumulateRays, 0, 64, "rays per pixel",
-                   "rays through the scene in each frame of a still view, which find what other surfaces send to a pixel; 0: the "
-                   "probes say it, with less accuracy")),
+        uniform(number(
+            "accumulateRays", &S::accumulateRays, 0, 64, "rays per pixel",
+            "rays through the scene in each frame of a still view, which find what other surfaces send to a pixel; glossy "
+            "pixels have one more, in their lobe; 0: the probes and the first frame's reflections say it, with less accuracy")),
     };
 }
 

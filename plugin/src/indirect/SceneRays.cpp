@@ -58,14 +58,17 @@ void SceneRays::writeNodes(const CasterBvh& bvh)
 
 void SceneRays::writeTriangles(const TracedScene& scene, const CasterBvh& bvh)
 {
-    Texels texels = makeTable(3 * bvh.triangles().size());
+    Texels texels = makeTable(limits::TRIANGLE_TEXELS * bvh.triangles().size());
     for (size_t i = 0; i < bvh.triangles().size(); ++i) {
         const CasterBvh::Triangle& t = bvh.triangles()[i];
         const unsigned surface = scene.surfaceOf[t.number];
         if (scene.surfaces[surface].opacity < leastOpacity) continue;
-        texels.put(int(3 * i), t.corner, float(surface));
-        texels.put(int(3 * i + 1), t.edge, 0.0f);
-        texels.put(int(3 * i + 2), t.otherEdge, 0.0f);
+        const CasterMesh::Normals& n = scene.normals.empty() ? CasterMesh::flat : scene.normals[t.number];
+        const int first = limits::TRIANGLE_TEXELS * int(i);
+        texels.put(first, t.corner, float(surface));
+        texels.put(first + 1, t.edge, 0.0f);
+        texels.put(first + 2, t.otherEdge, 0.0f);
+        texels.put(first + 3, osg::Vec3f(n[0], n[1], n[2]), 0.0f);
     }
     triangles = texels.texture(GL_RGBA32F_ARB);
 }

@@ -15,7 +15,7 @@ namespace osgEnvLight
 class OSGENVLIGHT_EXPORT SceneRays : public osg::Referenced
 {
   public:
-    static constexpr size_t mostTriangles = 1u << 20;  // 110 MB; their numbers are whole floats
+    static constexpr size_t mostTriangles = 1u << 20;  // 130 MB; their numbers are whole floats
 
     SceneRays(const TracedScene& scene, const CasterBvh& bvh, const std::vector<SurfacePart>& parts, unsigned partsPerPoint);
 

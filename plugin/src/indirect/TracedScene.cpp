@@ -15,6 +15,9 @@ TracedScene tracedScene(const StaticCasters::Parts& parts)
             scene.triangles.push_back({first + t[0], first + t[1], first + t[2]});
             scene.surfaceOf.push_back(surface);
         }
+        const auto& normals = part.mesh->normals;
+        scene.normals.insert(scene.normals.end(), normals.begin(), normals.end());
+        scene.normals.resize(scene.triangles.size(), CasterMesh::flat);
     }
     return scene;
 }

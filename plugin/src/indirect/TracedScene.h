@@ -16,7 +16,8 @@ struct TracedScene {
 
     std::vector<osg::Vec3f> positions;
     std::vector<std::array<unsigned, 3>> triangles;
-    std::vector<unsigned> surfaceOf;  // of each triangle
+    std::vector<unsigned> surfaceOf;           // of each triangle
+    std::vector<CasterMesh::Normals> normals;  // of each; empty: all are flat
     std::vector<Surface> surfaces;
 
     const osg::Vec3f& corner(size_t triangle, int k) const { return positions[triangles[triangle][size_t(k)]]; }

@@ -6,6 +6,7 @@
 #include "passes/Indirect.h"
 #include "passes/Lighting.h"
 #include "passes/Links.h"
+#include "passes/LobeRays.h"
 #include "passes/Occlusion.h"
 #include "passes/Output.h"
 #include "passes/PixelMarks.h"
@@ -60,6 +61,9 @@ LitView::LitView(Failure* failure, RetiredObjects* retired, SurfaceSorter* sorte
     graph.add(new ReflectionFilterPass);
     graph.add(new GatherPass);
     graph.add(new GatherFilterPass);
+    graph.add(new LobeRaysPass);
+    graph.add(new LobeRayLightPass);
+    graph.add(new LobeRayFilterPass);
     graph.add(new AccumulatePass);
     graph.add(new StillErrorPass);
     graph.add(new DisplayPass);

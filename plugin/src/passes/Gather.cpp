@@ -11,9 +11,6 @@ bool gathers(const Settings& settings)
     return settings.accumulate && settings.accumulateRays > 0 && settings.bounce == Settings::BOUNCE_PROBES;
 }
 
-namespace
-{
-
 Requirement requireGather(const FrameContext& c)
 {
     Requirement gather;
@@ -29,7 +26,18 @@ Requirement requireGather(const FrameContext& c)
     return gather;
 }
 
-}  // namespace
+void readPathLight(PassBuilder& b, FrameContext& c, const std::string& pass)
+{
+    readTracedScene(b, *c.indirect);
+    readProbes(b, *c.indirect);
+    readSkyMaps(b, c, pass, *c.stillMaps, nullptr);
+    readReceivedLight(b, c, pass, *c.stillMaps);
+    if (c.facts.mapIsBlack) return;
+    b.bind(c.textures->pyramid(), "pyramidMap");
+    if (!c.decisions.suns.needed) return;
+    b.define("HAS_SUNS");
+    readSuns(b, c);
+}
 
 Requirement GatherPass::require(const FrameContext& c) const
 {
@@ -42,10 +50,7 @@ void GatherPass::setup(PassBuilder& b, FrameContext& c)
     b.read(b.find("normal"), "normalMap");
     b.read(b.find("depth"), "depthMap");
     b.settings<StillViewSettings>();
-    readTracedScene(b, *c.indirect);
-    readProbes(b, *c.indirect);
-    readSkyMaps(b, c, name(), *c.stillMaps, nullptr);
-    readReceivedLight(b, c, name(), *c.stillMaps);
+    readPathLight(b, c, name());
     drawSurfaces(b);
     b.write(b.create("ray light"));
 }

@@ -2,13 +2,22 @@
 #pragma once
 
 #include "frame/FrameContext.h"
+#include "frame/PassBuilder.h"
 #include "frame/RenderPass.h"
+
+#include <string>
 
 namespace osgEnvLight
 {
 
 /** Whether still views ask for rays through the scene. */
 bool gathers(const Settings& settings);
+
+/** Whether the scene of a still view can be met by rays. */
+Requirement requireGather(const FrameContext& context);
+
+/** What pass/pathlight.glsl reads. */
+void readPathLight(PassBuilder& builder, FrameContext& context, const std::string& pass);
 
 /** What other surfaces send to the pixels of a still view, by rays through the scene: final gathering. */
 class OSGENVLIGHT_EXPORT GatherPass : public RenderPass

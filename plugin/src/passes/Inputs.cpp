@@ -18,6 +18,11 @@ void drawSurfaces(PassBuilder& b)
     b.drawMarked(b.find("pixel marks"), limits::MARK_SURFACE);
 }
 
+void drawGlossy(PassBuilder& b)
+{
+    b.drawMarked(b.find("pixel marks"), limits::MARK_GLOSSY);
+}
+
 void defineLobes(PassBuilder& b, unsigned lobes)
 {
     b.define("HAS_PHONG", lobes >> Material::PHONG & 1);
@@ -101,12 +106,18 @@ void readSunMaps(PassBuilder& b, FrameContext& c)
     b.shadowOrigin(c.sunMaps->targets().origin);
 }
 
+FrameResources::Places placesOf(const FrameContext& c)
+{
+    FrameResources::Places places;
+    places.inEye = osg::Matrixd::translate(c.indirect->scene->origin) * osg::Matrixd::inverse(c.worldFromEye);
+    return places;
+}
+
 void readReceivedLight(PassBuilder& b, FrameContext& c, const std::string& pass, const ShadowAtlas& maps)
 {
     const osg::Vec3d& origin = c.indirect->scene->origin;
-    FrameResources::Places places;
+    FrameResources::Places places = placesOf(c);
     places.inAtlas = origin - maps.origin();
-    places.inEye = osg::Matrixd::translate(origin) * osg::Matrixd::inverse(c.worldFromEye);
     b.define("MAP_IS_BLACK", c.facts.mapIsBlack);
     if (c.emitterMaps) {
         b.define("HAS_AREA_LIGHTS");
@@ -162,7 +173,7 @@ void readTerms(PassBuilder& b, FrameContext& c)
     b.define("HAS_PROBES", probes);
     const bool bounces = probes || b.read("bounce", "bounceMap");
     b.define("HAS_BOUNCE", bounces && !probes);
-    if (b.read("reflected", "reflectedMap"))
+    if (b.read("lobe rays", "reflectedMap") || b.read("reflected", "reflectedMap"))
         b.define("HAS_REFLECTED");
     else if (bounces && lobesShowScene(c) && b.read("blocked lobe", "blockedLobeMap")) {
         b.define("HAS_LOBES");

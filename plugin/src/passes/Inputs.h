@@ -36,6 +36,8 @@ namespace osgEnvLight
 TextureDesc ofFirstFrame(const FrameContext& context, GLint format, int side = 0);
 /** Draw the pixels that show a surface. */
 void drawSurfaces(PassBuilder& builder);
+/** Pixels with a lobe alone. */
+void drawGlossy(PassBuilder& builder);
 /** HAS_PHONG, HAS_COOK_TORRANCE and so on: the lobes of these bits [SurfaceKinds]. */
 void defineLobes(PassBuilder& b, unsigned lobes);
 
@@ -59,6 +61,8 @@ void readEmitterPoints(PassBuilder& builder, const EmitterMaps& maps, osg::Textu
 void readSceneLightMaps(PassBuilder& builder, const FrameContext& context);
 /** The shadow maps of the suns. */
 void readSunMaps(PassBuilder& builder, FrameContext& context);
+/** For passes that begin at pixels: places are told about the surface points' origin. */
+FrameResources::Places placesOf(const FrameContext& context);
 /** The lamps and, of the map's lights, their place: for pass/receivedlight.glsl. Places are told about the surface points'
  * origin.
  * @param maps  of the map's lights */

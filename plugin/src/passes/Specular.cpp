@@ -3,11 +3,9 @@
 
 #include "base/Limits.h"
 #include "passes/Inputs.h"
+#include "passes/LobeRays.h"
 
 namespace osgEnvLight
-{
-
-namespace
 {
 
 Requirement requireLobes(const FrameContext& c)
@@ -22,10 +20,8 @@ Requirement requireLobes(const FrameContext& c)
     return lobes.unless(!c.facts.surfaces.hasLobes(), "no glossy surface in view");
 }
 
-void drawGlossy(PassBuilder& b)
+namespace
 {
-    b.drawMarked(b.find("pixel marks"), limits::MARK_GLOSSY);
-}
 
 // A still view's later frames take samples: their mean is the truth.
 bool isPrefiltered(const FrameContext& c)
@@ -162,7 +158,8 @@ void CoatPass::setup(PassBuilder& b, FrameContext& c)
     b.drawMarked(b.find("pixel marks"), limits::MARK_COATED);
     b.write(b.create("coat", sums));
     if (c.decisions.suns.needed) readSunsOfLobes(b, c);
-    if (!b.find("lobe lights").valid()) return;
+    // Rays say what the scene hides of the map in a still view.
+    if (!b.find("lobe lights").valid() || (c.hasFirstFrame() && requireLobeRays(c).needed)) return;
     b.define("HAS_LOBE_LIGHTS");
     b.define("HAS_ATLAS");
     readSkyMaps(b, c, "atlas", *c.skyMaps, c.nearSkyMaps);

@@ -6,6 +6,11 @@
 namespace osgEnvLight
 {
 
+struct FrameContext;
+
+/** Whether something in view has a lobe that shows something. */
+Requirement requireLobes(const FrameContext& context);
+
 /** First part of S, the glossy term: the map's radiance in each pixel's lobe, by samples of the pixel's own. */
 class OSGENVLIGHT_EXPORT SpecularPass : public RenderPass
 {

@@ -10,6 +10,9 @@
 #include <map>
 #include <unordered_map>
 
+#include "glsl.h"
+#include "lib/octahedral.glsl"
+
 namespace osgEnvLight
 {
 
@@ -17,7 +20,7 @@ namespace
 {
 
 using Mesh = CasterMesh;
-using Triangle = std::array<unsigned, 3>;
+using Triangle = CasterMesh::Triangle;
 
 struct Collect {
     std::vector<Triangle>* triangles = nullptr;
@@ -69,6 +72,46 @@ class Places
     std::map<std::array<int, 3>, unsigned> _numbers;
 };
 
+bool areNumbers(const osg::Vec3d& v)
+{
+    return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
+}
+
+// The corners' normals, or flat where they are the triangle's own.
+Mesh::Normals normalsOf(const Mesh& mesh, const Triangle& t, const std::vector<osg::Vec3d>& ofVertices)
+{
+    const double leastTurned = 0.9999995;  // cosine of .06 degrees
+    const osg::Vec3d a = mesh.positions[t[0]];
+    osg::Vec3d own = (osg::Vec3d(mesh.positions[t[1]]) - a) ^ (osg::Vec3d(mesh.positions[t[2]]) - a);
+    own.normalize();
+    Mesh::Normals codes;
+    bool turned = false;
+    for (size_t k = 0; k < 3; ++k) {
+        const osg::Vec3d& n = ofVertices[t[k]];
+        if (!(n.length2() > 0.0)) return Mesh::flat;
+        turned = turned || std::abs(n * own) < leastTurned;
+        codes[k] = float(glsl::packDirection(glsl::vec3(n.x(), n.y(), n.z())));
+    }
+    return turned ? codes : Mesh::flat;
+}
+
+void takeNormals(const Caster& caster, Mesh& mesh)
+{
+    const osg::Array* normals = caster.geometry->getNormalArray();
+    if (!normals || normals->getBinding() != osg::Array::BIND_PER_VERTEX || normals->getNumElements() < mesh.positions.size())
+        return;
+    const osg::Matrixd modelFromWorld = osg::Matrixd::inverse(caster.worldFromModel);
+    std::vector<osg::Vec3d> ofVertices;
+    VertexReader reader;
+    for (unsigned i = 0; i < mesh.positions.size(); ++i) {
+        normals->accept(i, reader);
+        osg::Vec3d n = osg::Matrixd::transform3x3(modelFromWorld, reader.value);
+        n.normalize();
+        ofVertices.push_back(areNumbers(n) ? n : osg::Vec3d());
+    }
+    for (const Triangle& t : mesh.triangles) mesh.normals.push_back(normalsOf(mesh, t, ofVertices));
+}
+
 }  // namespace
 
 CasterMesh meshOf(const Caster& caster, const osg::Vec3d& origin)
@@ -87,12 +130,10 @@ CasterMesh meshOf(const Caster& caster, const osg::Vec3d& origin)
         collect.triangles = &mesh.triangles;
         caster.geometry->getPrimitiveSet(i)->accept(collect);
     }
-    const auto usable = [&](unsigned v) {
-        return v < mesh.positions.size() && std::isfinite(mesh.positions[v].x()) && std::isfinite(mesh.positions[v].y()) &&
-               std::isfinite(mesh.positions[v].z());
-    };
+    const auto usable = [&](unsigned v) { return v < mesh.positions.size() && areNumbers(mesh.positions[v]); };
     const auto bad = [&](const Triangle& t) { return !usable(t[0]) || !usable(t[1]) || !usable(t[2]); };
     mesh.triangles.erase(std::remove_if(mesh.triangles.begin(), mesh.triangles.end(), bad), mesh.triangles.end());
+    takeNormals(caster, mesh);
     return mesh;
 }
 

@@ -10,9 +10,15 @@ namespace osgEnvLight
 {
 
 struct CasterMesh {
+    using Triangle = std::array<unsigned, 3>;
+    /** Of a triangle's corners, packDirection() of each; negative: the triangle is flat. */
+    using Normals = std::array<float, 3>;
+    static constexpr Normals flat = {-1.0f, -1.0f, -1.0f};
+
     std::vector<osg::Vec3f> positions;  // about an origin
-    std::vector<std::array<unsigned, 3>> triangles;
-    std::optional<bool> closed;  // whether the caster's surface was, where merging vertices hides it
+    std::vector<Triangle> triangles;
+    std::vector<Normals> normals;  // of each triangle; empty: all are flat
+    std::optional<bool> closed;    // whether the caster's surface was, where merging vertices hides it
 };
 
 /** A caster's triangles about origin; those with a vertex that is not finite are left out. */

@@ -13,7 +13,7 @@ namespace
 {
 
 using Mesh = CasterMesh;
-using Triangle = std::array<unsigned, 3>;
+using Triangle = CasterMesh::Triangle;
 
 const int mostHalvings = 8;
 const double mostChange = 0.1;   // of a caster's area
@@ -111,25 +111,41 @@ struct Cells {
     }
 };
 
-// A vertex for each cell; triangles may be there several times.
+// A vertex for each cell; triangles may be there several times. Corners keep their normals.
 Mesh merged(const Mesh& mesh, double size)
 {
     const Cells cells(mesh, size);
     Mesh result;
     for (const Cell& cell : cells.cells) result.positions.push_back(osg::Vec3f(cell.place(0.5 * size)));
-    for (const Triangle& t : mesh.triangles) {
-        Triangle m = {cells.of[t[0]], cells.of[t[1]], cells.of[t[2]]};
+    for (size_t i = 0; i < mesh.triangles.size(); ++i) {
+        Triangle m;
+        for (size_t k = 0; k < 3; ++k) m[k] = cells.of[mesh.triangles[i][k]];
+        if (m[0] == m[1] || m[1] == m[2] || m[2] == m[0]) continue;
         // The least number first: alike if it is there twice, and it still faces the same way.
-        std::rotate(m.begin(), std::min_element(m.begin(), m.end()), m.end());
-        if (m[0] != m[1] && m[1] != m[2] && m[2] != m[0]) result.triangles.push_back(m);
+        const auto first = std::min_element(m.begin(), m.end()) - m.begin();
+        std::rotate(m.begin(), m.begin() + first, m.end());
+        result.triangles.push_back(m);
+        if (mesh.normals.empty()) continue;
+        result.normals.push_back(mesh.normals[i]);
+        std::rotate(result.normals.back().begin(), result.normals.back().begin() + first, result.normals.back().end());
     }
     return result;
 }
 
-void dropCopies(std::vector<Triangle>& triangles)
+void dropCopies(Mesh& mesh)
 {
-    std::sort(triangles.begin(), triangles.end());
-    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    std::vector<size_t> order(mesh.triangles.size());
+    std::iota(order.begin(), order.end(), size_t(0));
+    std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return mesh.triangles[a] < mesh.triangles[b]; });
+    const auto same = [&](size_t a, size_t b) { return mesh.triangles[a] == mesh.triangles[b]; };
+    order.erase(std::unique(order.begin(), order.end(), same), order.end());
+    Mesh once;
+    for (size_t i : order) {
+        once.triangles.push_back(mesh.triangles[i]);
+        if (!mesh.normals.empty()) once.normals.push_back(mesh.normals[i]);
+    }
+    mesh.triangles.swap(once.triangles);
+    mesh.normals.swap(once.normals);
 }
 
 }  // namespace
@@ -141,7 +157,7 @@ CasterMesh coarseMesh(const Caster& caster, const osg::Vec3d& origin, double cel
     for (int halving = 0; halving < mostHalvings; ++halving, cell *= 0.5) {
         Mesh all = merged(mesh, cell);
         Mesh coarse = all;
-        dropCopies(coarse.triangles);
+        dropCopies(coarse);
         if (coarse.triangles.size() >= mesh.triangles.size()) break;
         if (!(std::abs(area(coarse) - whole) <= mostChange * whole)) continue;
         std::vector<unsigned> own(all.positions.size());

@@ -1,0 +1,128 @@
+#version 330 compatibility
+#extension GL_ARB_shading_language_packing : require
+// SPDX-License-Identifier: MIT
+// What the scene does to the lobe of a pixel of a still view, first part: a ray in a direction drawn from the lobe, another each frame.
+// What it meets is kept for the second part. It hides the map: S holds the share V of the map that the first frame took for visible, and
+// the ray adds L (miss - V), whose mean corrects that. The more exact V is, the less noise there is.
+#pragma import_defines(HAS_AREA_LIGHTS, MAP_IS_BLACK)
+#include "lib/lobesample.glsl"
+#include "pass/pixelray.glsl"
+#include "pass/lightmark.glsl"
+#include "pass/lobeshown.glsl"
+#include "pass/lobewidth.glsl"
+#include "pass/maplight.glsl"
+#include "pass/pixelbsdf.glsl"
+#include "pass/tracedscene.glsl"
+
+uniform sampler2D diffuseTermMap;
+uniform sampler2D emissionMap;
+uniform sampler2D specularTermMap;
+uniform int specularSamples;
+uniform float sceneRadius;
+uniform float radianceScale;
+
+// All are over the pixel's reflectance, so that the filter can average pixels of other colours.
+layout(location = 0) out vec4 change;    // radiance: of the map, and what is met emits
+layout(location = 1) out vec4 place;     // of what is met, about the origin of the triangles; alpha: number of its surface and 1, or 0
+layout(location = 2) out uvec4 surface;  // there: normal, direction of the ray, share of light that the diffuse layer sends on
+layout(location = 3) out vec4 passed;    // share of the light from there that the lobe passes on, the lobe's roughness
+
+// The lobe of a pixel, or the one of its two that this frame takes.
+struct RayLobe {
+    vec3 normal;
+    mat3 eyeFromLocal;
+    vec3 view;
+    Bsdf bsdf;
+    float chance;    // of being taken
+    vec3 shown;      // V
+    float lighted;   // share of S that the frame's lights shade
+    vec3 reflected;  // by all lobes of the pixel
+};
+
+RayLobe rayLobe(ivec2 p)
+{
+    RayLobe l;
+    l.normal = pixelNormal(p);
+    l.eyeFromLocal = pixelFrame(p, l.normal);
+    l.view = pixelView(p, l.eyeFromLocal);
+    l.bsdf = pixelBsdf(p, l.view);
+    l.chance = 1.0;
+    l.reflected = l.bsdf.reflected;
+    l.lighted = lightedShare(texelFetch(normalMap, p, 0).a);
+    l.shown = unpackShown(texelFetch(specularTermMap, p, 0).a);
+#ifdef HAS_COATS
+    if (isCoated(p)) {
+        PixelCoat c = pixelCoat(p);
+        float below = dot(l.bsdf.reflected, vec3(1.0));
+        float above = dot(c.bsdf.reflected, vec3(1.0));
+        float share = below > 0.0 ? clamp(above / max(above + below, 1e-20), 0.02, 0.98) : 1.0;
+        l.chance = 1.0 - share;
+        if (pixelNumber(rayPixel(p), 0x40000000u + uint(sampleFrames)) < share)
+            l = RayLobe(c.normal, c.eyeFromLocal, c.view, c.bsdf, share, vec3(1.0), 0.0, l.reflected);
+        l.reflected += c.bsdf.reflected;
+    }
+#endif
+    return l;
+}
+
+#ifndef MAP_IS_BLACK
+vec3 mapLight(Bsdf b, LobeSample s, vec3 d)
+{
+    if (evenAlpha(b) < MIRROR_ALPHA) return mirror(d);
+    return filtered(d, lodOfUnitDensity(float(specularSamples) * sampleFrames) - 0.5 * log2(max(s.density, 1e-10)));
+}
+#endif
+
+// The pixel that shows a place in eye space on a surface with normal n; negative where none does.
+ivec2 pixelOf(vec3 eye, vec3 n)
+{
+    vec4 clip = projection * vec4(eye, 1.0);
+    vec2 at = (clip.xy / clip.w * 0.5 + 0.5) * viewportSize;
+    if (clip.w <= 0.0 || min(at.x, at.y) < 0.0 || at.x >= viewportSize.x || at.y >= viewportSize.y) return ivec2(-1);
+    ivec2 q = ivec2(at);
+    float depth = texelFetch(depthMap, q, 0).r;
+    if (depth >= 1.0 || dot(pixelNormal(q), n) < 0.5) return ivec2(-1);
+    PixelPlane plane = pixelPlane(eye, n, 1.5 * pixelFootprint(inverseProjection, pixelNdc(q), depth, viewportSize));
+    return abs(planeDistance(plane, q, depth)) < 1.0 ? q : ivec2(-1);
+}
+
+void main()
+{
+    ivec2 p = ivec2(gl_FragCoord.xy);
+    change = vec4(0.0);
+    place = vec4(0.0);
+    surface = uvec4(0u);
+    passed = vec4(0.0);
+    RayLobe l = rayLobe(p);
+    LobeSample s = sampleLobe(l.bsdf, l.view, fract(rayPoint(p)));
+    if (max(s.weight.r, max(s.weight.g, s.weight.b)) <= 0.0) return;
+    vec3 weight = s.weight / (l.chance * max(l.reflected, vec3(1e-4)));
+    vec3 origin = rayOrigin(p, l.normal);
+    vec3 along = l.eyeFromLocal * s.direction;
+    mat3 placesDirection = mat3(placesFromEye);
+    vec3 from = vec3(placesFromEye * vec4(origin, 1.0));
+    SceneHit met = sceneHit(rayNodeMap, rayTriangleMap, from, placesDirection * along, 4.0 * sceneRadius);
+    bool misses = met.distance == MISSED;
+#ifndef MAP_IS_BLACK
+    vec3 shown = misses ? 1.0 - l.shown : -l.shown;
+    change.rgb = (1.0 - l.lighted) * radianceScale * weight * shown * mapLight(l.bsdf, s, mapFromEye * along);
+#endif
+    if (misses) return;
+    TracedLayers layers = tracedLayers(met.surface);
+    vec3 emission = tracedEmission(met);
+    vec3 normal = smoothNormal(rayTriangleMap, met);
+    // The picture knows more colours of a surface than one.
+    ivec2 q = pixelOf(origin + met.distance * along, transpose(placesDirection) * normal);
+    if (q.x >= 0) {
+        layers.diffuse = pixelAlbedo(q) * texelFetch(diffuseTermMap, q, 0).a;
+        emission = texelFetch(emissionMap, q, 0).rgb * exp2(emittedStops);
+#ifdef HAS_AREA_LIGHTS
+        if (isAreaLight(emissionMap, q)) emission = vec3(0.0);
+#endif
+    }
+    change.rgb += weight * emission;
+    place = vec4(from + met.distance * (placesDirection * along), float(met.surface + 1));
+    surface = uvec4(packUnorm2x16(octahedralFromDirection(normal)), packUnorm2x16(octahedralFromDirection(placesDirection * along)),
+                    packHalf2x16(layers.diffuse.rg), packHalf2x16(vec2(layers.diffuse.b, 0.0)));
+    passed = vec4(weight, evenRoughness(l.bsdf));
+}
