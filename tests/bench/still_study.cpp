@@ -55,14 +55,6 @@ Truth truthOf(osgEnvLight::LitScene& lit, SceneRenderer& renderer, const Picture
     return truth;
 }
 
-void dumpPfm(const std::string& name, const Picture& p)
-{
-    std::FILE* f = std::fopen(name.c_str(), "wb");
-    std::fprintf(f, "PF\n%d %d\n-1.0\n", p.width, p.height);
-    for (size_t i = 0; i < p.pixels(); ++i) std::fwrite(&p.rgba[4 * i], 4, 3, f);
-    std::fclose(f);
-}
-
 void measure(const std::string& sceneName, const std::string& map, const Options& options)
 {
     suite::SuiteScene scene = suite::makeScene(sceneName);
@@ -96,10 +88,6 @@ void measure(const std::string& sceneName, const std::string& map, const Options
         std::printf(" %7.3f", 100.0 * e.rmse / e.mean);
         std::fflush(stdout);
         toned.push_back(100.0 * e.tRmse);
-    }
-    if (const char* dump = getenv("DUMP")) {
-        dumpPfm(std::string(dump) + "_got.pfm", picture);
-        dumpPfm(std::string(dump) + "_ref.pfm", truth.mean);
     }
     std::printf("\n%-18s", "  toned");
     for (double e : toned) std::printf(" %7.3f", e);
