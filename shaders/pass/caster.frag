@@ -4,7 +4,6 @@
 // out for the fixed-function alpha test.
 #pragma import_defines(CASTER_ALPHA, CASTER_BLENDED, CASTER_PERSPECTIVE, CASTER_SECOND, NO_TEXTURE, TEXTURE_REPLACE, VERTEX_COLOR)
 
-#include "lib/atlas.glsl"
 #include "lib/emittermap.glsl"
 #include "lib/sequence.glsl"
 
@@ -73,9 +72,5 @@ void main()
     slope = -abs(slope);
 #endif
     surface = vec4(slope, 0.0, turnOf(gradient), alpha);
-#ifndef CASTER_PERSPECTIVE
-    // Of two surfaces at one place the one that shows its back is first: the floor below what stands on it.
-    gl_FragDepth = gl_FragCoord.z - (gl_FrontFacing ? 0.0 : 0.5 * ATLAS_STEP);
-#endif
 #endif
 }

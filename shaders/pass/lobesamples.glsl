@@ -17,6 +17,9 @@
 #include "pass/suns.glsl"
 #endif
 
+#ifdef PREFILTERED
+uniform sampler2D prefilteredMap;
+#endif
 uniform int specularSamples;
 uniform vec2 sampleShift;    // of the points, in a still view
 uniform float sampleFrames;  // that will be averaged: each sample is as narrow as a share of theirs

@@ -2,16 +2,11 @@
 // The map's radiance in a direction, in units of its mean.
 #ifndef MAPLIGHT_GLSL
 #define MAPLIGHT_GLSL
-#pragma import_defines(PREFILTERED)
 
 #include "lib/latlong.glsl"
 #include "lib/octahedral.glsl"
 
-#ifdef PREFILTERED
-uniform sampler2D prefilteredMap;
-#else
 uniform sampler2D pyramidMap;
-#endif
 uniform sampler2D latlongMap;
 uniform float pyramidSide;
 uniform float pyramidLastLevel;
@@ -24,7 +19,6 @@ vec3 mirror(vec3 d)
     return textureLod(latlongMap, latlongFromDirection(d), 0.0).rgb;
 }
 
-#ifndef PREFILTERED
 vec3 filtered(vec3 d, float lod)
 {
     return pyramidLookup(pyramidMap, pyramidSide, pyramidLastLevel, d, lod);
@@ -35,6 +29,5 @@ float lodOfUnitDensity(float samples)
 {
     return log2(pyramidSide) - 0.5 * log2(4.0 * PI * samples);
 }
-#endif
 
 #endif

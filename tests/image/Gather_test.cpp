@@ -64,6 +64,19 @@ osg::ref_ptr<LitScene> makeRoom(osg::Image* map, bool closed)
     return lit;
 }
 
+// Closed; all walls send .3 and reflect a half.
+osg::ref_ptr<LitScene> makeGlowingRoom()
+{
+    const osg::ref_ptr<LitScene> lit = makeRoom(constantMap(0.01).get(), true);
+    for (unsigned i = 0; i < lit->getNumChildren(); ++i) {
+        osg::StateSet& wall = *lit->getChild(i)->getStateSet();
+        Material::setLambert(wall, white);
+        Material::setEmission(wall, osg::Vec3f(0.3f, 0.3f, 0.3f));
+        Material::setLight(wall, Material::LIGHT_OFF);
+    }
+    return lit;
+}
+
 void addPanel(LitScene& lit)
 {
     const osg::ref_ptr<osgEnvLight::AreaLight> panel = new osgEnvLight::AreaLight;
@@ -105,13 +118,7 @@ Errors errorsOf(LitScene& lit, SceneRenderer& renderer, unsigned frames, bool gl
 // Walls that send e and reflect rho show e / (1 - rho), bounce after bounce.
 TEST(Gather, AClosedRoomThatGlowsIsEven)
 {
-    const osg::ref_ptr<LitScene> lit = makeRoom(constantMap(0.01).get(), true);
-    for (unsigned i = 0; i < lit->getNumChildren(); ++i) {
-        osg::StateSet& wall = *lit->getChild(i)->getStateSet();
-        Material::setLambert(wall, white);
-        Material::setEmission(wall, osg::Vec3f(0.3f, 0.3f, 0.3f));
-        Material::setLight(wall, Material::LIGHT_OFF);
-    }
+    const osg::ref_ptr<LitScene> lit = makeGlowingRoom();
     SceneRenderer renderer(48, 48);
     renderer.lookAt(osg::Vec3d(-0.4, -0.9, 0.2), osg::Vec3d(0.4, 1, -0.3), osg::Vec3d(0, 0, 1), 80.0);
     const Picture p = renderer.render(lit, 33);
@@ -123,13 +130,7 @@ TEST(Gather, AClosedRoomThatGlowsIsEven)
 // mirrors show each other. Measured: mean -.004, which is that of the walls, root mean square .012.
 TEST(Gather, WhiteMetalInAClosedRoomThatGlowsIsNotSeen)
 {
-    const osg::ref_ptr<LitScene> lit = makeRoom(constantMap(0.01).get(), true);
-    for (unsigned i = 0; i < lit->getNumChildren(); ++i) {
-        osg::StateSet& wall = *lit->getChild(i)->getStateSet();
-        Material::setLambert(wall, white);
-        Material::setEmission(wall, osg::Vec3f(0.3f, 0.3f, 0.3f));
-        Material::setLight(wall, Material::LIGHT_OFF);
-    }
+    const osg::ref_ptr<LitScene> lit = makeGlowingRoom();
     const auto addBall = [&](double x, double roughness, bool coated) {
         const osg::ref_ptr<osg::Geode> ball = makeSphere(osg::Vec3d(x, 0.3, 0.0), 0.2, 32);
         Material::setCookTorrance(*ball->getOrCreateStateSet(), osg::Vec3f(1, 1, 1), 1.0f, float(roughness));

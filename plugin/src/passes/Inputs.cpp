@@ -106,7 +106,7 @@ void readSunMaps(PassBuilder& b, FrameContext& c)
     b.shadowOrigin(c.sunMaps->targets().origin);
 }
 
-FrameResources::Places placesOf(const FrameContext& c)
+FrameResources::Places pixelPlaces(const FrameContext& c)
 {
     FrameResources::Places places;
     places.inEye = osg::Matrixd::translate(c.indirect->scene->origin) * osg::Matrixd::inverse(c.worldFromEye);
@@ -116,7 +116,7 @@ FrameResources::Places placesOf(const FrameContext& c)
 void readReceivedLight(PassBuilder& b, FrameContext& c, const std::string& pass, const ShadowAtlas& maps)
 {
     const osg::Vec3d& origin = c.indirect->scene->origin;
-    FrameResources::Places places = placesOf(c);
+    FrameResources::Places places = pixelPlaces(c);
     places.inAtlas = origin - maps.origin();
     b.define("MAP_IS_BLACK", c.facts.mapIsBlack);
     if (c.emitterMaps) {

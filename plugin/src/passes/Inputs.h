@@ -62,7 +62,7 @@ void readSceneLightMaps(PassBuilder& builder, const FrameContext& context);
 /** The shadow maps of the suns. */
 void readSunMaps(PassBuilder& builder, FrameContext& context);
 /** For passes that begin at pixels: places are told about the surface points' origin. */
-FrameResources::Places placesOf(const FrameContext& context);
+FrameResources::Places pixelPlaces(const FrameContext& context);
 /** The lamps and, of the map's lights, their place: for pass/receivedlight.glsl. Places are told about the surface points'
  * origin.
  * @param maps  of the map's lights */

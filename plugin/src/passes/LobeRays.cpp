@@ -46,7 +46,7 @@ void LobeRaysPass::setup(PassBuilder& b, FrameContext& c)
         b.read(b.find("specular"), "specularTermMap");
     }
     readTracedScene(b, *c.indirect);
-    b.frameUniforms(&c.frame.placeState(name(), placesOf(c)));
+    b.frameUniforms(&c.frame.placeState(name(), pixelPlaces(c)));
     drawGlossy(b);
     b.write(b.create("lobe ray change", exact));
     b.write(b.create("lobe ray place", exact));
