@@ -3,8 +3,8 @@
 // One frame of a still view: fresh lights of the map, each with a shadow map of its own, shade the whole BRDF of every pixel
 // [occlusion.md 5.1]. Their average over the frames is direct light with the visibility of each direction.
 // D = num + V (U - den): U, the term D, is free of their noise, and V is how much of it to trust, a constant of the
-// view; whatever it is, the mean stays num. S likewise. V is what the first frame saw: where nothing is in the way, or all is, there is no
-// noise.
+// view. The mean is that of num, whatever V is. S is estimated in the same way. V is the share that the first frame saw. Where the lobe
+// sees all of the map, or nothing of it, there is no noise.
 // A black map's lights only say how much of the sphere is seen.
 #pragma import_defines(MAP_IS_BLACK)
 

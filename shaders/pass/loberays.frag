@@ -1,9 +1,9 @@
 #version 330 compatibility
 #extension GL_ARB_shading_language_packing : require
 // SPDX-License-Identifier: MIT
-// What the scene does to the lobe of a pixel of a still view, first part: a ray in a direction drawn from the lobe, another each frame.
-// What it meets is kept for the second part. It hides the map: S holds the share V of the map that the first frame took for visible, and
-// the ray adds L (miss - V), whose mean corrects that. The more exact V is, the less noise there is.
+// What the scene does to the lobe of a pixel of a still view, first part. Each frame draws a direction from the lobe and traces a ray. The
+// second part lights the surface that the ray meets. Such a surface also hides the map, whose radiance there is L. S holds the share V of
+// the map that the first frame saw [pass/lobeshown.glsl]. The ray adds L (1 - V) if it meets nothing, else -L V: the mean corrects S.
 #pragma import_defines(HAS_AREA_LIGHTS, MAP_IS_BLACK)
 #include "lib/lobesample.glsl"
 #include "pass/pixelray.glsl"
@@ -23,7 +23,7 @@ uniform float radianceScale;
 
 // All are over the pixel's reflectance, so that the filter can average pixels of other colours.
 layout(location = 0) out vec4 change;    // radiance: of the map, and what is met emits
-layout(location = 1) out vec4 place;     // of what is met, about the origin of the triangles; alpha: number of its surface and 1, or 0
+layout(location = 1) out vec4 place;     // of what is met, about the origin of the triangles; alpha: 1 + the number of its surface; 0: none
 layout(location = 2) out uvec4 surface;  // there: normal, direction of the ray, share of light that the diffuse layer sends on
 layout(location = 3) out vec4 passed;    // share of the light from there that the lobe passes on, the lobe's roughness
 

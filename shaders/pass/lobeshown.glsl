@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The share of the map that the first frame of a still view took for visible in a lobe, per colour: with S in its alpha, in 24 bits that a
-// float holds exactly. Later frames add what corrects it; they err less, the more exact it is.
+// The first frame of a still view estimates which share of the map a lobe sees, for each colour. The alpha of S keeps it, in 24 bits, which
+// a float holds exactly. S is multiplied by it, and later frames add corrections. The better the estimate, the less noise these have.
 #ifndef LOBESHOWN_GLSL
 #define LOBESHOWN_GLSL
 

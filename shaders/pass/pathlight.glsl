@@ -49,7 +49,8 @@ struct PathLobe {
     float lampAlpha;  // for lamps and suns
 };
 
-// blur: roughness that the path has had before. A lamp behind a wide lobe is no sharper than that, or it would be noise.
+// blur: the largest roughness of the lobes before on the path. The lobe reflects lamps as if it were at least that rough: a sharp lamp
+// that few paths find would be noise.
 PathLobe pathLobe(PathSurface s, float blur)
 {
     PathLobe l;
@@ -64,7 +65,8 @@ PathLobe pathLobe(PathSurface s, float blur)
     return l;
 }
 
-PathLobe lampLobe;  // that sentShare() asks about
+// That sentShare() asks about. Diffuse layers ask, too, and leave the answer.
+PathLobe lampLobe = PathLobe(mat3(1.0), vec3(0.0, 0.0, 1.0), vec3(0.0), 1.0, 1.0);
 
 // pi times the lobe's value, without Fresnel.
 float sentShare(vec3 l, vec3 place, vec3 n)
@@ -146,8 +148,8 @@ float brightness(vec3 c)
     return c.r + c.g + c.b;
 }
 
-// What comes from the surface and those behind it, without the first one's own emission, in units of the map's mean. blur: roughness of
-// what the path has passed. pixel, ray: numbers that no other ray has.
+// The light that surface s sends back along the path, without its own emission, in units of the map's mean. blur: as in pathLobe().
+// pixel, ray: numbers that no other ray has.
 vec3 pathLight(PathSurface s, float blur, uint pixel, uint ray)
 {
     vec3 sum = vec3(0.0);
@@ -166,7 +168,7 @@ vec3 pathLight(PathSurface s, float blur, uint pixel, uint ray)
             sum += reflected / chance * lampsInLobe(s, origin, lobe);
             vec3 h = ggxVisibleNormalSample(lobe.view, lobe.alpha, u);
             vec3 l = 2.0 * dot(lobe.view, h) * h - lobe.view;
-            l.z = abs(l.z);  // what facets send below goes on between them
+            l.z = abs(l.z);  // facets reflect again what others send down to them
             density = ggxReflectionPdf(lobe.view, h, max(lobe.alpha, 1e-4));
             along = lobe.placesFromLocal * l;
             reflected *= fresnelSchlick(lobe.f0, dot(lobe.view, h)) / chance;

@@ -2,7 +2,7 @@
 // Where does a ray meet a triangle of the scene? Two textures hold a hierarchy of boxes over the triangles. A node has two texels, the
 // corners of its box. The alpha of the first is the number of the node's first child; the second child follows it. A leaf has a negative
 // number there: -(RAY_LEAF * its first triangle + how many it has). A triangle has four texels: a corner, and in its alpha the number of
-// the surface; the two edges from there; packDirection() of the corners' normals, negative where the triangle is flat.
+// the surface; the two edges from there; the three corners' normals by packDirection(), negative if it is flat.
 #ifndef SCENERAYS_GLSL
 #define SCENERAYS_GLSL
 
