@@ -324,6 +324,9 @@ void FrameGraph::drawToHost(const Node& node, FrameContext& c)
     for (osg::StateSet* s : states) c.cv.pushStateSet(s);
     c.cv.addDrawable(&triangle, c.cv.getModelViewMatrix());
     for (size_t i = 0; i < states.size(); ++i) c.cv.popStateSet();
+    c.cv.pushStateSet(c.frame.afterComposite);  // a graph of its own, behind
+    c.cv.addDrawable(c.frame.firstUnit, c.cv.getModelViewMatrix());
+    c.cv.popStateSet();
 }
 
 size_t FrameGraph::bytes() const

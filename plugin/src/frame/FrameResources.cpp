@@ -182,6 +182,7 @@ std::vector<osg::Drawable*> FrameResources::drawables() const
 {
     std::vector<osg::Drawable*> all;
     if (composite) all.push_back(composite.get());
+    all.push_back(firstUnit.get());
     for (const auto& [name, draw] : _draws) all.push_back(&draw->drawable());
     return all;
 }

@@ -6,6 +6,7 @@
 #include "frame/GBufferStage.h"
 #include "frame/StageCamera.h"
 #include "frame/StageDraw.h"
+#include "gl/FirstUnit.h"
 #include "gl/RetiredObjects.h"
 #include "lights/MapTextures.h"
 #include "shadow/AtlasRefresh.h"
@@ -52,6 +53,8 @@ class OSGENVLIGHT_EXPORT FrameResources : public osg::Referenced
     SceneLightUniforms sceneLights;  // set when the view has been culled
     osg::ref_ptr<osg::StateSet> forwardState;
     osg::ref_ptr<FullScreen> composite;
+    const osg::ref_ptr<FirstUnit> firstUnit = new FirstUnit;
+    const osg::ref_ptr<osg::StateSet> afterComposite = new osg::StateSet;
 
     /** The draw of that name, made when it is first asked for. */
     StageDraw& draw(const std::string& name, const std::function<osg::ref_ptr<osg::Drawable>()>& make);
