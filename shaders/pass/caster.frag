@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 // First surface from a light: its depth and slope. Second surface: the depth of the nearest that is not the first. Alpha goes
 // out for the fixed-function alpha test.
-#pragma import_defines(CASTER_ALPHA, CASTER_BLENDED, CASTER_PERSPECTIVE, CASTER_SECOND, NO_TEXTURE, TEXTURE_REPLACE, VERTEX_COLOR)
+#extension GL_ARB_conservative_depth : enable
+#pragma import_defines(CASTER_ALPHA, CASTER_BLENDED, CASTER_FLOORS_FIRST, CASTER_PERSPECTIVE, CASTER_SECOND, NO_TEXTURE, TEXTURE_REPLACE, VERTEX_COLOR)
 
 #include "lib/emittermap.glsl"
 #include "lib/sequence.glsl"
@@ -23,6 +24,9 @@ uniform ivec2 atlasMapIndex;
 in vec4 vertexColor;
 in vec2 textureCoordinate;
 
+#if defined(CASTER_FLOORS_FIRST) && defined(GL_ARB_conservative_depth)
+layout(depth_greater) out float gl_FragDepth;
+#endif
 layout(location = 0) out vec4 surface; // slope, negative for sheets: leaves, grilles and what shows its back; second: 1 if that; the slope's turn
 
 float casterAlpha()
@@ -72,5 +76,9 @@ void main()
     slope = -abs(slope);
 #endif
     surface = vec4(slope, 0.0, turnOf(gradient), alpha);
+#ifdef CASTER_FLOORS_FIRST
+    // Of two surfaces at one place the one that shows its back is first: from below, the floor before what stands on it.
+    gl_FragDepth = gl_FragCoord.z + (gl_FrontFacing ? 0.5 * ATLAS_STEP : 0.0);
+#endif
 #endif
 }

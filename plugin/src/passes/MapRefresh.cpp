@@ -17,7 +17,7 @@ namespace
 // As many as a frame of a large model has: 256 maps of 40 000, drawn twice.
 const double firstFrameTriangles = 2e7;
 
-AtlasRefresh::States statesOf(PassBuilder& b, FrameContext& c, const char* shader, const ShadowTargets& targets)
+AtlasRefresh::States statesOf(PassBuilder& b, FrameContext& c, const MapShaders& shaders, const ShadowTargets& targets)
 {
     AtlasRefresh::States states;
     for (const bool second : {false, true}) {
@@ -30,16 +30,17 @@ AtlasRefresh::States statesOf(PassBuilder& b, FrameContext& c, const char* shade
         s.setAttributeAndModes(new osg::Depth(osg::Depth::LESS, 0, 1, true), fixedOn);
         s.setMode(GL_DEPTH_CLAMP, fixedOn);  // what lies above a map's heights casts shadows into it
         s.addUniform(new osg::Uniform("baseColorMap", 0));
+        if (shaders.define) s.setDefine(shaders.define);
         if (!second) continue;
         s.setDefine("CASTER_SECOND");
         s.setAttribute(new osg::ColorMask(false, true, false, false), fixedOn);  // beside the first one's slope
         StateSets::bind(s, 1, {"firstDepthMap", targets.firstDepth.get()});
     }
-    const StateSets::State state = b.states().get({shader, {}, {targets.firstDepth.get()}});
+    const StateSets::State state = b.states().get({shaders.middles, {}, {targets.firstDepth.get()}});
     states.midpoints = &state.stateSet;
     if (state.isNew) {
         osg::StateSet& s = state.stateSet;
-        s.setAttribute(c.shaders.program("pass/fullscreen.vert", shader), fixedOn);
+        s.setAttribute(c.shaders.program("pass/fullscreen.vert", shaders.middles), fixedOn);
         s.setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0, 1, false), osg::StateAttribute::OFF);
         StateSets::bind(s, 0, {"firstDepthMap", targets.firstDepth.get()});
         StateSets::bind(s, 1, {"secondDepthMap", targets.secondDepth.get()});
@@ -64,11 +65,12 @@ Requirement requireEmitterMaps(const FrameContext& c, Requirement lights)
     return lights.unless(c.facts.casters == 0, "nothing casts shadows");
 }
 
-void drawMaps(PassBuilder& b, FrameContext& c, const char* pass, const std::string& name, const char* shader, osg::Camera& camera,
-              const ShadowTargets& targets, const std::vector<ShadowRefresh>& refreshes, std::vector<Caster>&& casters)
+void drawMaps(PassBuilder& b, FrameContext& c, const char* pass, const std::string& name, const MapShaders& shaders,
+              osg::Camera& camera, const ShadowTargets& targets, const std::vector<ShadowRefresh>& refreshes,
+              std::vector<Caster>&& casters)
 {
     AtlasRefresh& refresh = c.frame.refresh(name);
-    refresh.prepare(targets, refreshes, std::move(casters), statesOf(b, c, shader, targets), c.timed(pass));
+    refresh.prepare(targets, refreshes, std::move(casters), statesOf(b, c, shaders, targets), c.timed(pass));
     b.draw({name, &refresh, &camera});
 }
 
@@ -94,7 +96,7 @@ unsigned AtlasOwner::update(const FrameContext& c, const LightList& list, unsign
 
 void AtlasOwner::draw(PassBuilder& b, FrameContext& c, const char* pass, const std::string& name)
 {
-    MapsOwner::draw(b, c, pass, name, "pass/midpoint.frag", [this] { return get()->drawn(); });
+    MapsOwner::draw(b, c, pass, name, {"pass/midpoint.frag", "CASTER_FLOORS_FIRST"}, [this] { return get()->drawn(); });
 }
 
 EmitterMaps& EmitterMapsOwner::update(FrameContext& c, const std::vector<EmitterPoint>& points, unsigned size, bool all)
@@ -121,7 +123,7 @@ void EmitterMapsOwner::drop()
 
 void EmitterMapsOwner::draw(PassBuilder& b, FrameContext& c, const char* pass, const std::string& name)
 {
-    MapsOwner::draw(b, c, pass, name, "pass/emittermap.frag", [this] { return get()->drawn(); });
+    MapsOwner::draw(b, c, pass, name, {"pass/emittermap.frag", "CASTER_PERSPECTIVE"}, [this] { return get()->drawn(); });
 }
 
 }  // namespace osgEnvLight

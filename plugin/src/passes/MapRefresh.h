@@ -18,11 +18,16 @@
 namespace osgEnvLight
 {
 
-/** The draw of shadow maps of the sky or of suns.
+/** How shadow maps of one kind are made. */
+struct MapShaders {
+    const char* middles;  // the shader that makes the maps from the first two surfaces
+    const char* define;   // of the surfaces' shader; null for none
+};
+
+/** The draw of shadow maps of the sky, of suns or of lamps.
  * @param pass    whose time it adds to
- * @param name    of the draw
- * @param shader  that makes the maps from the first two surfaces */
-void drawMaps(PassBuilder& builder, FrameContext& context, const char* pass, const std::string& name, const char* shader,
+ * @param name    of the draw */
+void drawMaps(PassBuilder& builder, FrameContext& context, const char* pass, const std::string& name, const MapShaders& shaders,
               osg::Camera& camera, const ShadowTargets& targets, const std::vector<ShadowRefresh>& refreshes,
               std::vector<Caster>&& casters);
 
@@ -68,10 +73,10 @@ class MapsOwner
     std::vector<ShadowRefresh> refreshes;  // set in update()
 
     /** In setup(): draw them, if there are any. */
-    void draw(PassBuilder& builder, FrameContext& context, const char* pass, const std::string& name, const char* shader,
+    void draw(PassBuilder& builder, FrameContext& context, const char* pass, const std::string& name, const MapShaders& shaders,
               const std::function<std::vector<Caster>()>& casters)
     {
-        if (!refreshes.empty()) drawMaps(builder, context, pass, name, shader, *_camera, _maps->targets(), refreshes, casters());
+        if (!refreshes.empty()) drawMaps(builder, context, pass, name, shaders, *_camera, _maps->targets(), refreshes, casters());
         refreshes.clear();
     }
 

@@ -84,7 +84,7 @@ void SunMaps::update(FrameContext& c)
 
 void SunMaps::setup(PassBuilder& b, FrameContext& c)
 {
-    _maps.draw(b, c, name(), name(), "pass/sunmap.frag", [this] { return _maps.get()->casters(); });
+    _maps.draw(b, c, name(), name(), {"pass/sunmap.frag", nullptr}, [this] { return _maps.get()->casters(); });
 }
 
 void SunMaps::dismiss(FrameContext& c)
