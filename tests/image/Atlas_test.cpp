@@ -99,8 +99,8 @@ TEST(Atlas, NoLightComesThroughAFloorWithoutThickness)
     EXPECT_LT(most, 0.005);  // measured .0022; with middles half-way to the ceiling .094
 }
 
-// At a wall's foot the wall rises over a texel by more than the floor that hides it: the floor's plane tells. The wall's lower side lies in
-// the floor: whichever is drawn first.
+// At a wall's foot the wall rises over a texel by more than the floor that hides it: the floor's plane tells. The wall's lower
+// side lies in the floor: whichever is drawn first.
 TEST(Atlas, LittleLightComesInUnderAWall)
 {
     SceneRenderer renderer(96, 96);
@@ -118,7 +118,8 @@ TEST(Atlas, LittleLightComesInUnderAWall)
         double leak = 0.0;
         for (int y = int(foot) + 2; y < int(foot + height); ++y)
             for (int x = p.width / 2 - 8; x < p.width / 2 + 8; ++x) leak += double(p.color(x, y)[0]) / 16.0;
-        // Fully lit, it would be a strip as high as this: measured .060 texels; .095 and .131 if the wall's lower side may come first.
+        // Fully lit, it would be a strip as high as this: measured .060 texels; .095 and .131 if the wall's lower side may come
+        // first.
         const double texel = 2.0 * 11.6 / 128.0;  // of the floor's diagonal
         EXPECT_LT(leak * 0.4 / height / texel, 0.08) << first;
     }
