@@ -23,6 +23,7 @@
 #include <osg/Texture2D>
 #include <osg/Texture3D>
 #include <osg/TextureRectangle>
+#include <osgSim/LightPointNode>
 
 #include <gtest/gtest.h>
 
@@ -145,6 +146,16 @@ TEST_F(Features, PointsAndLinesAreDrawnAsWithoutUs)
         model->getOrCreateStateSet()->setAttribute(new osg::LineWidth(3.0f));
         expectAsWithout(model, "points and lines");
     }
+}
+
+// osgSim makes their drawable anew for each view.
+TEST_F(Features, LightPointsAreDrawnAsWithoutUs)
+{
+    const osg::ref_ptr<osgSim::LightPointNode> points = new osgSim::LightPointNode;
+    points->setMinPixelSize(4.0f);
+    points->addLightPoint(osgSim::LightPoint(osg::Vec3(0, 0, 0), osg::Vec4(1, 0.5f, 0, 1)));
+    expectAsWithout(points, "points and lines");
+    EXPECT_GT(renderer.render(furnace(points), 3).color(size / 2, size / 2)[0], 0.9f);
 }
 
 TEST_F(Features, FogIsNotDrawnAndSaidSoOnce)

@@ -39,6 +39,13 @@ const osg::Geometry* geometryOf(const osgUtil::RenderLeaf& leaf)
     return leaf._drawable ? leaf._drawable->asGeometry() : nullptr;
 }
 
+// Of osgSim, whose class no header shows. They are drawn by no osg::Geometry.
+bool areLightPoints(const osg::Drawable& drawable)
+{
+    const std::string name = drawable.className();
+    return name == "LightPointDrawable" || name == "LightPointSpriteDrawable";
+}
+
 // The state sets from below the ancestor down to the graph, rooted at another one.
 osgUtil::StateGraph* transplanted(const osgUtil::StateGraph* graph, const osgUtil::StateGraph* ancestor,
                                   osgUtil::StateGraph* root)
@@ -213,8 +220,9 @@ class SurfaceSort
         else if (variation.bits & takesTangents && hasTangents(geometry))
             variation.bits |= SurfaceSorter::VERTEX_TANGENTS;
         const bool foreign = leaf._projection.get() != _places.projection;
-        if (!foreign && !blends && !state.drawnForward(geometry)) return keep(leaf, sg, state, variation, kept);
-        const char* unsupported = foreign ? nullptr : state.unsupported(geometry);
+        const bool points = !geometry && areLightPoints(*leaf._drawable);
+        if (!foreign && !blends && !points && !state.drawnForward(geometry)) return keep(leaf, sg, state, variation, kept);
+        const char* unsupported = foreign ? nullptr : points ? "points and lines" : state.unsupported(geometry);
         const bool lit = !foreign && !unsupported && state.litForward();
         if (lit) kinds.forwardLobes |= kindBits(state);
         moveForward(leaf, sg, variation, lit, to);
