@@ -14,6 +14,7 @@
 #include "pass/lobeshown.glsl"
 #include "pass/lobewidth.glsl"
 #include "pass/picture.glsl"
+#include "pass/pixelfog.glsl"
 
 uniform float frameWeight;
 
@@ -82,7 +83,7 @@ void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
     vec4 radiance = isBackground(p) ? pictureRadiance(p, mapFromEye * viewRay(inverseProjection, pixelNdc(p)))
-                                    : vec4(surface(p), 1.0);
+                                    : vec4(throughFog(emissionMap, p, surface(p)), 1.0);
     float light = luminance(radiance.rgb);
     sum = frameWeight * radiance;
     square = frameWeight * light * light;

@@ -4,7 +4,7 @@
 // what its four know; of each sun's disc eight points.
 #ifndef FORWARDLIGHT_GLSL
 #define FORWARDLIGHT_GLSL
-#pragma import_defines(HAS_COATS, HAS_ANISOTROPY, HAS_EDGES, HAS_ROUGH_DIFFUSE, HAS_SPECULAR, HAS_SUNS, SUN_DIFFUSE, HAS_ATLAS, HAS_SUN_MAPS, HAS_BOUNCE, HAS_SCENE_LIGHTS, HAS_SCENE_LIGHT_MAPS, HAS_AREA_LIGHTS)
+#pragma import_defines(FOGGED, HAS_COATS, HAS_ANISOTROPY, HAS_EDGES, HAS_ROUGH_DIFFUSE, HAS_SPECULAR, HAS_SUNS, SUN_DIFFUSE, HAS_ATLAS, HAS_SUN_MAPS, HAS_BOUNCE, HAS_SCENE_LIGHTS, HAS_SCENE_LIGHT_MAPS, HAS_AREA_LIGHTS)
 
 #include "lib/atlas.glsl"
 #include "lib/frame.glsl"
@@ -47,6 +47,9 @@ uniform mat4 sceneLightMapsFromEye;
 uniform mat4 emittersFromEye;
 #endif
 #include "pass/display.glsl"
+#ifdef FOGGED
+#include "pass/fog.glsl"
+#endif
 
 #ifdef HAS_SPECULAR
 uniform sampler2D pyramidMap;
@@ -385,6 +388,9 @@ vec4 forwardColor(Surface s)
     diffuse += diffuseAlbedo(s, layers) * (1.0 - seen.ambient) * meanRadiance(s.normal);
 #endif
     radiance += diffuse * (s.alpha / max(alpha, 1e-3));
+#ifdef FOGGED
+    radiance = mix(fogRadiance, radiance, fogLeaves(s.position));
+#endif
     return vec4(display(radiance, ivec2(gl_FragCoord.xy)), alpha);
 }
 

@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // Fills the G-buffer. Output 0 is the albedo with the surface's alpha, because the fixed-function alpha test reads it.
-#pragma import_defines(ENVLIGHT_LAMP)
+#pragma import_defines(ENVLIGHT_LAMP, FOGGED)
 
 #include "lib/anisotropy.glsl"
 #include "lib/frame.glsl"
@@ -47,5 +47,8 @@ void main()
     emission = vec4(s.emission * exp2(-emittedStops), min(s.bulge, 0.49));  // in the units of display(), as emitted() has it
 #if defined(ENVLIGHT_LIGHT) || defined(ENVLIGHT_LAMP)
     emission.a = LIGHT_MARK;
+#endif
+#ifdef FOGGED
+    emission.a = -max(emission.a, LEAST_FOGGED);
 #endif
 }

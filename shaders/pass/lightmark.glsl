@@ -7,7 +7,7 @@
 
 bool isAreaLight(sampler2D emissions, ivec2 p)
 {
-    return abs(texelFetch(emissions, p, 0).a - LIGHT_MARK) < 0.1;
+    return abs(abs(texelFetch(emissions, p, 0).a) - LIGHT_MARK) < 0.1;
 }
 
 #endif

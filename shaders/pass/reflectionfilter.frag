@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: MIT
 // What glossy surfaces show of the picture, last part. The 4x4 pixels about each have rays in different directions of the lobe; their
 // mean replaces the mean radiance of all that blocks light. The difference is added to the picture.
-#pragma import_defines(KEEPS_REFLECTED, RAYS_MEET_ALL)
+#pragma import_defines(HAS_FOG, KEEPS_REFLECTED, RAYS_MEET_ALL)
 
 #include "pass/blockers.glsl"
 #include "pass/lobeneighbours.glsl"
+#include "pass/pixelfog.glsl"
 #include "pass/toplobe.glsl"
 
 uniform sampler2D reflectionMap;
@@ -17,6 +18,9 @@ uniform sampler2D hiddenLobeMap;
 #ifdef HAS_COATS
 uniform sampler2D coatTermMap;
 uniform sampler2D blockedCoatMap;
+#endif
+#ifdef HAS_FOG
+uniform sampler2D emissionMap;
 #endif
 uniform float radianceScale;
 
@@ -108,6 +112,9 @@ void main()
     float open = min((1.0 - met.w) / max(1.0 - light.blocked.w, 1e-4), 1.0);
     vec3 before = light.blocked.rgb * mean;
     change = vec4(strength * ((open - 1.0) * light.specular + sent - before), 0.0);
+#ifdef HAS_FOG
+    change *= pixelFogLeaves(emissionMap, p);
+#endif
 #ifdef KEEPS_REFLECTED
     sentByScene = vec4(mix(before, sent, strength), 0.0);
 #ifdef HAS_COATS

@@ -3,11 +3,12 @@
 // The one place where the terms meet: the radiance of the surfaces. Alpha: 1 where there is one.
 
 #include "pass/picture.glsl"
+#include "pass/pixelfog.glsl"
 
 layout(location = 0) out vec4 radiance;
 
 void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
-    radiance = isBackground(p) ? vec4(0.0) : vec4(surfaceRadiance(p), 1.0);
+    radiance = isBackground(p) ? vec4(0.0) : vec4(throughFog(emissionMap, p, surfaceRadiance(p)), 1.0);
 }

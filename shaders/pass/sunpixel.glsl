@@ -17,7 +17,7 @@ SunPixel sunPixel(ivec2 p)
     SunPixel s;
     s.point = vec3(atlasFromEye * vec4(eye, 1.0));
     s.normal = mat3(atlasFromEye) * pixelNormal(p);
-    float bulge = texelFetch(emissionMap, p, 0).a;
+    float bulge = abs(texelFetch(emissionMap, p, 0).a);
     if (bulge < 0.5) s.point += bulge * length(eye) * s.normal;  // programs of the host's own may write 1
     s.ray = mat3(atlasFromEye) * viewRay(inverseProjection, ndc);
     s.quantum = length(depthStep(inverseProjection, ndc, depth));

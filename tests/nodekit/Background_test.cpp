@@ -4,6 +4,7 @@
 
 #include <osg/ClearNode>
 #include <osg/Depth>
+#include <osg/Fog>
 #include <osg/MatrixTransform>
 
 #include <gtest/gtest.h>
@@ -112,6 +113,20 @@ TEST_F(Background, IsTheDomeBesideTheNode)
     root->replaceChild(dome, makeDome(osg::Vec3d(0, 9, 0), 0.5));
     drawFirst(*root->getChild(0)->getOrCreateStateSet());
     EXPECT_TRUE(isMap(corner(root)));
+}
+
+// As all do whose scene ends in fog.
+TEST_F(Background, IsTheFogToWhichTheHostClears)
+{
+    const osg::ref_ptr<osg::Fog> fog = new osg::Fog;
+    fog->setColor(osg::Vec4(1, 1, 0, 1));
+    lit->getOrCreateStateSet()->setAttributeAndModes(fog);
+    EXPECT_TRUE(isMap(corner(lit)));
+    renderer.viewer().getCamera()->setClearColor(osg::Vec4(1, 1, 0, 1));
+    EXPECT_TRUE(isYellow(corner(lit)));
+    EXPECT_NE(std::string::npos, compositeReason(*lit).find("fog's colour")) << compositeReason(*lit);
+    lit->getSettings()->background = Settings::BACKGROUND_ON;
+    EXPECT_TRUE(isMap(corner(lit)));
 }
 
 // The idiom of OSG's own examples: the sky, at the far plane, clears colour and depth.

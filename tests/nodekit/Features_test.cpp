@@ -6,7 +6,6 @@
 #include <osg/ClipPlane>
 #include <osg/ColorMask>
 #include <osg/Depth>
-#include <osg/Fog>
 #include <osg/Geometry>
 #include <osg/LightModel>
 #include <osg/LineWidth>
@@ -156,19 +155,6 @@ TEST_F(Features, LightPointsAreDrawnAsWithoutUs)
     points->addLightPoint(osgSim::LightPoint(osg::Vec3(0, 0, 0), osg::Vec4(1, 0.5f, 0, 1)));
     expectAsWithout(points, "points and lines");
     EXPECT_GT(renderer.render(furnace(points), 3).color(size / 2, size / 2)[0], 0.9f);
-}
-
-TEST_F(Features, FogIsNotDrawnAndSaidSoOnce)
-{
-    const osg::ref_ptr<osg::Geode> model = card();
-    const osg::ref_ptr<osg::Fog> fog = new osg::Fog;
-    fog->setColor(osg::Vec4(0, 0, 1, 1));
-    model->getOrCreateStateSet()->setAttributeAndModes(fog);
-    NotifyCatcher notify;
-    EXPECT_NEAR(lit(model)[0], 1.0, small);
-    const size_t first = notify.text().find("fog: not drawn");
-    EXPECT_NE(first, std::string::npos);
-    EXPECT_EQ(notify.text().find("fog", first + 4), std::string::npos);
 }
 
 TEST_F(Features, AProjectionOfItsOwnIsDrawnAsWithoutUs)

@@ -11,7 +11,7 @@ std::vector<SettingsProperty> BackgroundSettings::properties()
     return {
         choice("background", &S::background, {"off", "on", "blur", "auto"},
                "the map behind the scene; auto: unless a sky or backdrop of the application's, below the node or drawn before it "
-               "in a negative bin, is there"),
+               "in a negative bin, is there, or the scene has fog of the colour to which the host clears"),
         uniform(real("backgroundBlur", &S::backgroundBlur, 0, 90, "degrees", "width of the blur of background = blur")),
     };
 }

@@ -153,7 +153,7 @@ bool Accumulation::Key::operator==(const Key& o) const
 {
     return view == o.view && sameProjection(projection, o.projection) && mapFromWorld == o.mapFromWorld &&
            radianceScale == o.radianceScale && sameLight(settings.get(), o.settings.get()) && background == o.background &&
-           lights == o.lights && areaLights == o.areaLights && textures == o.textures && viewport == o.viewport &&
+           lights == o.lights && areaLights == o.areaLights && fog == o.fog && textures == o.textures && viewport == o.viewport &&
            surfaces == o.surfaces;
 }
 

@@ -3,6 +3,7 @@
 
 #include "lights/MapSequence.h"
 #include "surface/Emitter.h"
+#include "surface/FogValues.h"
 #include "surface/SceneLights.h"
 #include <osgEnvLight/Settings>
 
@@ -38,6 +39,7 @@ class OSGENVLIGHT_EXPORT Accumulation : public osg::Referenced
         osg::ref_ptr<const Settings> settings;
         SceneLightList lights;
         std::vector<Emitter> areaLights;
+        FogValues fog;
         int background = 0;                          // that settings.background comes to
         osg::ref_ptr<const osg::Viewport> viewport;  // another one for another size
         osg::ref_ptr<const osg::Referenced> textures;

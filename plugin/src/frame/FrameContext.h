@@ -11,6 +11,7 @@
 #include "shadow/EmitterMaps.h"
 #include "shadow/ShadowAtlas.h"
 #include "shadow/SunShadows.h"
+#include "surface/FogValues.h"
 
 #include <osgEnvLight/GBuffer>
 
@@ -53,6 +54,7 @@ struct FrameContext {
     SceneLightList lights = {};                // of the application that are switched on
     std::vector<Emitter> areaLights = {};      // in the world
     int background = Settings::BACKGROUND_ON;  // never AUTO
+    FogValues fog = {};                        // before what is lit
     std::string behind = {};                   // what is behind the scene, in words
     bool showsNothing = false;                 // of the scene there is: its shadow maps are kept for when it does
 

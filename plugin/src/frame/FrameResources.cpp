@@ -157,6 +157,23 @@ osg::StateSet& FrameResources::probeState(double share)
     return *_probeState;
 }
 
+osg::StateSet& FrameResources::fogState(const FogValues& fog, const osg::Vec3f& radiance)
+{
+    if (!_fogState) {
+        _fogState = new osg::StateSet;
+        _fogState->addUniform(new osg::Uniform("fogRadiance", radiance));
+        for (const char* name : {"fogKind", "fogIsRadial"}) _fogState->addUniform(new osg::Uniform(name, 0));
+        for (const char* name : {"fogDensity", "fogStart", "fogEnd"}) _fogState->addUniform(new osg::Uniform(name, 0.0f));
+    }
+    _fogState->getUniform("fogRadiance")->set(radiance);
+    _fogState->getUniform("fogKind")->set(fog.kind);
+    _fogState->getUniform("fogIsRadial")->set(int(fog.isRadial));
+    _fogState->getUniform("fogDensity")->set(fog.density);
+    _fogState->getUniform("fogStart")->set(fog.start);
+    _fogState->getUniform("fogEnd")->set(fog.end);
+    return *_fogState;
+}
+
 osg::StateSet& FrameResources::sceneLightState()
 {
     if (!_sceneLightState) {

@@ -12,6 +12,7 @@
 #include "shadow/AtlasRefresh.h"
 #include "shadow/ShadowAtlas.h"
 #include "shadow/SunShadows.h"
+#include "surface/FogValues.h"
 #include "surface/GBufferFill.h"
 #include "surface/SceneLights.h"
 
@@ -79,6 +80,8 @@ class OSGENVLIGHT_EXPORT FrameResources : public osg::Referenced
     osg::StateSet& pointState(int rows, int turn, const osg::Vec3d& inSunMaps, double lift);
     /** Uniforms of pass/indirect.frag. */
     osg::StateSet& probeState(double share);
+    /** Uniforms of pass/fog.glsl. radiance: of the fog, as what is typed is shown. */
+    osg::StateSet& fogState(const FogValues& fog, const osg::Vec3f& radiance);
     /** Uniforms of the application's lights. */
     osg::StateSet& sceneLightState();
     /** Uniforms of the suns' maps as they stand in this frame. */
@@ -107,6 +110,7 @@ class OSGENVLIGHT_EXPORT FrameResources : public osg::Referenced
     std::map<std::string, osg::ref_ptr<osg::StateSet>> _placeStates;
     osg::ref_ptr<osg::StateSet> _pointState;
     osg::ref_ptr<osg::StateSet> _probeState;
+    osg::ref_ptr<osg::StateSet> _fogState;
     osg::ref_ptr<osg::StateSet> _sceneLightState;
     osg::ref_ptr<osg::StateSet> _sunState;
     osg::ref_ptr<const SunShadows> _sunShadows;  // that it is of, at which version

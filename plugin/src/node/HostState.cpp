@@ -8,6 +8,7 @@
 #include <osg/GraphicsContext>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace osgEnvLight
@@ -37,13 +38,25 @@ bool drawsOverAnother(const osg::Camera* host)
     return false;
 }
 
+// The host clears to the fog's colour: what is far goes over into it.
+bool endsInFog(const FrameContext& c)
+{
+    if (c.fog.kind == 0 || !(c.host.getClearMask() & GL_COLOR_BUFFER_BIT)) return false;
+    const osg::Vec4& cleared = c.host.getClearColor();
+    float most = 0.0f;
+    for (int i = 0; i < 3; ++i) most = std::max(most, std::abs(cleared[i] - c.fog.color[i]));
+    return most < 1.0f / 255.0f;
+}
+
 std::string describeBackground(FrameContext& c, const std::vector<ForwardGraph>& forward)
 {
     c.background = c.settings.background;
     if (c.background == Settings::BACKGROUND_AUTO) {
         const std::string backdrop = findBackdrop(c.host, forward);
-        c.background = backdrop.empty() ? Settings::BACKGROUND_ON : Settings::BACKGROUND_OFF;
+        const bool fog = endsInFog(c);
+        c.background = backdrop.empty() && !fog ? Settings::BACKGROUND_ON : Settings::BACKGROUND_OFF;
         if (!backdrop.empty()) return backdrop + " behind";
+        if (fog) return "the fog's colour behind, to which the host clears";
     }
     if (c.background == Settings::BACKGROUND_OFF) return "the background switched off";
     const bool keepsColors = c.settings.background == Settings::BACKGROUND_AUTO && !(c.host.getClearMask() & GL_COLOR_BUFFER_BIT);

@@ -140,7 +140,7 @@ SurfaceKinds GBufferPass::cull(FrameContext& c, const std::function<void()>& tra
         return f.forwardState.get();
     };
     c.cv.pushViewport(c.viewport);
-    const SurfaceKinds kinds = f.fill->fill(c.cv, *f.gbufferStage, hostBin, lit, c.lampRule(), forward, [&] {
+    const SurfaceSorter::Sorted sorted = f.fill->fill(c.cv, *f.gbufferStage, hostBin, lit, c.lampRule(), forward, [&] {
         c.cv.setCurrentRenderBin(f.gbufferStage.get());
         traverse();
         c.cv.setCurrentRenderBin(hostBin);
@@ -148,7 +148,8 @@ SurfaceKinds GBufferPass::cull(FrameContext& c, const std::function<void()>& tra
     c.cv.popViewport();
     handOverCameras(c);
     passClearOn(*f.gbufferStage, c.host);
-    return kinds;
+    c.fog = sorted.fog;
+    return sorted.kinds;
 }
 
 void GBufferPass::setup(PassBuilder&, FrameContext& c)

@@ -5,6 +5,8 @@
 
 #include "base/Limits.h"
 
+#include "glsl.h"
+
 namespace osgEnvLight
 {
 
@@ -80,6 +82,18 @@ void readSkyMaps(PassBuilder& b, FrameContext& c, const std::string& name, Shado
     b.bind(c.atlasLights.texture(name, maps, near, 1.0 / c.textures->map().mean), "atlasLightMap");
     b.frameUniforms(&c.frame.atlasState(name, maps, near));
     b.shadowOrigin(maps.origin());
+}
+
+void readFog(PassBuilder& b, FrameContext& c)
+{
+    if (c.fog.kind == 0) return;
+    osg::Vec3f radiance = c.fog.color;
+    for (float& v : radiance._v) {
+        const double linear = c.settings.materialColors == Settings::COLORS_SRGB ? glsl::typedDecode(double(v)) : double(v);
+        v = float(linear * c.emittedScale());
+    }
+    b.define("HAS_FOG");
+    b.frameUniforms(&c.frame.fogState(c.fog, radiance));
 }
 
 unsigned areaPointsOf(const Settings& settings)

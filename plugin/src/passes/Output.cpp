@@ -49,7 +49,7 @@ void BackgroundPass::setup(PassBuilder& b, FrameContext& c)
 
 Requirement ResolvePass::require(const FrameContext& c) const
 {
-    return requirePicture(c).because("the sum of the terms");
+    return requirePicture(c).because(c.fog.kind == 0 ? "the sum of the terms" : "the sum of the terms, through the fog");
 }
 
 void ResolvePass::setup(PassBuilder& b, FrameContext& c)
@@ -64,6 +64,7 @@ void ResolvePass::setup(PassBuilder& b, FrameContext& c)
     }
     b.readGBuffer();
     readTerms(b, c);
+    readFog(b, c);
     if (surfaces) drawSurfaces(b);
     overBackground ? b.drawOver(radiance) : b.write(radiance);
 }
@@ -129,6 +130,7 @@ void ForwardPass::setup(PassBuilder& b, FrameContext& c)
     b.frameUniforms(c.frame.uniforms.get());
     b.settings<SurfaceSettings>();
     b.settings<OutputSettings>();
+    readFog(b, c);
     readIrradiance(b, c);
     if (c.settings.specular && !c.facts.mapIsBlack) {
         b.define("HAS_SPECULAR");

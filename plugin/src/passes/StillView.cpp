@@ -67,6 +67,7 @@ Accumulation::Key keyOf(const FrameContext& c)
     key.settings = &c.settings;
     key.lights = c.lights;
     key.areaLights = c.areaLights;
+    key.fog = c.fog;
     key.background = c.background;
     key.textures = c.textures.get();
     key.viewport = c.viewport;
@@ -161,6 +162,7 @@ void AccumulatePass::setup(PassBuilder& b, FrameContext& c)
     }
     b.readGBuffer();
     readPicture(b, c);
+    readFog(b, c);
     if (b.read("gathered", "gatheredMap")) b.define("HAS_GATHERED");
     readSkyMaps(b, c, "accumulate", *c.stillMaps, c.stillNearMaps);
     b.define("MAP_IS_BLACK", c.facts.mapIsBlack);

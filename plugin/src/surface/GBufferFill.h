@@ -27,9 +27,9 @@ class OSGENVLIGHT_EXPORT GBufferFill : public osg::Referenced
     /** Cull with traverse() into the visitor's current bin.
      * forward, lit, lamps, moved: as SurfaceSorter::sort.*/
     template <class Traverse>
-    SurfaceKinds fill(osgUtil::CullVisitor& cv, osgUtil::RenderBin& bin, osgUtil::RenderBin* forward,
-                      const SurfaceSorter::LitState& lit, const LampRule& lamps, std::vector<ForwardGraph>& moved,
-                      Traverse traverse)
+    SurfaceSorter::Sorted fill(osgUtil::CullVisitor& cv, osgUtil::RenderBin& bin, osgUtil::RenderBin* forward,
+                               const SurfaceSorter::LitState& lit, const LampRule& lamps, std::vector<ForwardGraph>& moved,
+                               Traverse traverse)
     {
         osg::ref_ptr<osg::RefMatrix> projection;
         osgUtil::StateGraph& top = push(cv, projection);

@@ -105,7 +105,6 @@ class SurfaceSort
             const SurfaceState& state = effective(sg);
             const bool blends = sorted && state.blending();
             const SurfaceSorter::Variation variation = variationOf(state);
-            if (const char* what = state.ignored()) _sorter.say(what, "not drawn", nullptr);
             for (auto& leaf : sg->_leaves) place(*leaf, sg, state, variation, blends, kept, to);
             sg->_leaves.clear();
         }
@@ -117,7 +116,7 @@ class SurfaceSort
         }
     }
 
-    SurfaceKinds kinds;
+    SurfaceSorter::Sorted sorted;
 
   private:
     const SurfaceState& effective(osgUtil::StateGraph* sg)
@@ -208,6 +207,7 @@ class SurfaceSort
         if (state.isAreaLight()) bits |= S::ENVLIGHT_LIGHT;
         if (state.lampEmission(_places.lamps) != osg::Vec3f()) bits |= S::ENVLIGHT_LAMP;
         if (state.brdf() >= 0 && state.emits()) bits |= S::ENVLIGHT_EMISSION;
+        if (state.fog()) bits |= S::FOGGED;
         return {bits, stages};
     }
 
@@ -224,7 +224,10 @@ class SurfaceSort
         if (!foreign && !blends && !points && !state.drawnForward(geometry)) return keep(leaf, sg, state, variation, kept);
         const char* unsupported = foreign ? nullptr : points ? "points and lines" : state.unsupported(geometry);
         const bool lit = !foreign && !unsupported && state.litForward();
-        if (lit) kinds.forwardLobes |= kindBits(state);
+        if (lit) {
+            sorted.kinds.forwardLobes |= kindBits(state);
+            addFog(state, leaf);
+        }
         moveForward(leaf, sg, variation, lit, to);
         if (unsupported) _sorter.say(unsupported, "drawn as without the node, not lit by the environment", leaf._drawable);
     }
@@ -233,22 +236,34 @@ class SurfaceSort
     void keep(osgUtil::RenderLeaf& leaf, osgUtil::StateGraph* sg, const SurfaceState& state,
               const SurfaceSorter::Variation& variation, osgUtil::RenderBin::StateGraphList& kept)
     {
-        kinds.lobes |= kindBits(state);
-        ++kinds.deferred;
-        if (variation.bits & SurfaceSorter::ENVLIGHT_LAMP) ++kinds.lamps;
+        sorted.kinds.lobes |= kindBits(state);
+        ++sorted.kinds.deferred;
+        if (variation.bits & SurfaceSorter::ENVLIGHT_LAMP) ++sorted.kinds.lamps;
+        addFog(state, leaf);
         osgUtil::StateGraph* n = sg->find_or_insert(_sorter.variant(variation));
         if (n->leaves_empty()) kept.push_back(n);
         n->addLeaf(&leaf);
+    }
+
+    // All that is lit has one.
+    void addFog(const SurfaceState& state, const osgUtil::RenderLeaf& leaf)
+    {
+        if (!state.fog()) return;
+        const FogValues fog(*state.fog());
+        if (sorted.fog.kind == 0) sorted.fog = fog;
+        if (!(sorted.fog == fog)) _sorter.say("a second fog", "the first one met is drawn in its place", leaf._drawable);
+        if (state.fog()->getFogCoordinateSource() == GL_FOG_COORDINATE)
+            _sorter.say("fog coordinates", "the distance from the eye is taken", leaf._drawable);
     }
 
     // The same path, rooted beside our state set instead of below it, and below the forward one where that lights it.
     void moveForward(osgUtil::RenderLeaf& leaf, osgUtil::StateGraph* sg, const SurfaceSorter::Variation& variation, bool isLit,
                      osgUtil::RenderBin* to)
     {
-        ++kinds.forward;
+        ++sorted.kinds.forward;
         if (!to) return;
         const osg::StateSet* lit = isLit ? _lit() : nullptr;
-        if (lit) ++kinds.litForward;
+        if (lit) ++sorted.kinds.litForward;
         osgUtil::StateGraph* n = transplanted(sg, &_top, lit ? _top._parent->find_or_insert(lit) : _top._parent);
         if (lit) n = n->find_or_insert(_sorter.variant(variation));
         if (n->leaves_empty()) _places.moved.push_back({to, n});
@@ -313,7 +328,8 @@ const osg::StateSet* SurfaceSorter::variant(const Variation& variation)
                                           "COAT_MAP",
                                           "COAT_ROUGHNESS_MAP",
                                           "COAT_NORMAL_MAP",
-                                          "ENVLIGHT_LAMP"};
+                                          "ENVLIGHT_LAMP",
+                                          "FOGGED"};
     std::lock_guard<std::mutex> lock(_mutex);
     osg::ref_ptr<osg::StateSet>& stateSet = _variants[variation];
     if (!stateSet) {
@@ -337,11 +353,11 @@ void SurfaceSorter::say(const char* what, const char* how, const osg::Drawable* 
     OSG_NOTICE << "osgEnvLight: " << what << ": " << how << (first.empty() ? "" : " (first '" + first + "')") << std::endl;
 }
 
-SurfaceKinds SurfaceSorter::sort(const Places& places, const LitState& lit)
+SurfaceSorter::Sorted SurfaceSorter::sort(const Places& places, const LitState& lit)
 {
     SurfaceSort sort(*this, places, lit);
     sort.sortBin(places.gbuffer, places.forward, false);
-    return sort.kinds;
+    return sort.sorted;
 }
 
 void SurfaceSorter::release(osgUtil::RenderStage& stage, const osg::StateSet& ours)

@@ -4,6 +4,7 @@
 #include <osgEnvLight/Export>
 #include <osgEnvLight/Plan>
 
+#include "surface/FogValues.h"
 #include "surface/SurfaceFacts.h"
 #include "surface/SurfaceState.h"
 
@@ -49,7 +50,11 @@ class OSGENVLIGHT_EXPORT SurfaceSorter : public osg::Referenced
     /** @param lit  asked for the state set to push above forward surfaces that the environment lights, only when there are
      *              any; it may return null*/
     using LitState = std::function<const osg::StateSet*()>;
-    SurfaceKinds sort(const Places& places, const LitState& lit);
+    struct Sorted {
+        SurfaceKinds kinds;
+        FogValues fog;  // of what is lit, the first met
+    };
+    Sorted sort(const Places& places, const LitState& lit);
 
     /** Make a stage that a camera below the node has culled what it is without the node: its drawables' state without ours.*/
     static void release(osgUtil::RenderStage& stage, const osg::StateSet& ours);
@@ -61,7 +66,7 @@ class OSGENVLIGHT_EXPORT SurfaceSorter : public osg::Referenced
 
   private:
     friend class SurfaceSort;
-    /** Defines of the surface's shader, the maps last, in the order of MaterialMaps::samplers. */
+    /** Defines of the surface's shader; maps in the order of MaterialMaps::samplers. */
     enum Variant : uint64_t {
         NO_TEXTURE = uint64_t(1) << 0,
         LINEAR_TEXTURE = uint64_t(1) << 1,
@@ -101,7 +106,8 @@ class OSGENVLIGHT_EXPORT SurfaceSorter : public osg::Referenced
         COAT_MAP = uint64_t(1) << 35,
         COAT_ROUGHNESS_MAP = uint64_t(1) << 36,
         COAT_NORMAL_MAP = uint64_t(1) << 37,
-        ENVLIGHT_LAMP = uint64_t(1) << 38
+        ENVLIGHT_LAMP = uint64_t(1) << 38,
+        FOGGED = uint64_t(1) << 39
     };
     struct Variation {
         uint64_t bits = 0;

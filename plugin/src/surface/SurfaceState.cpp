@@ -145,6 +145,8 @@ void SurfaceState::mergeAttribute(osg::StateAttribute::Type type, const osg::Sta
             return _colorMask.merge(pair);
         case osg::StateAttribute::LIGHTMODEL:
             return _lightModel.merge(pair);
+        case osg::StateAttribute::FOG:
+            return _fogAttribute.merge(pair);
         default:
             return;
     }
@@ -386,11 +388,6 @@ const char* SurfaceState::unsupported(const osg::Geometry* geometry) const
     const char* what = unsupportedRaster(geometry);
     // A BRDF of ours says what the surface is, whatever fixed-function texturing is there beside it.
     return what || _brdf >= 0 ? what : unsupportedTexture();
-}
-
-const char* SurfaceState::ignored() const
-{
-    return _fog.on ? "fog" : nullptr;
 }
 
 }  // namespace osgEnvLight

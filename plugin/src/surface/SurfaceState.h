@@ -8,6 +8,7 @@
 #include "surface/TextureUnit.h"
 
 #include <osg/Depth>
+#include <osg/Fog>
 #include <osg/Geometry>
 #include <osg/Material>
 #include <osg/StateSet>
@@ -108,8 +109,8 @@ class OSGENVLIGHT_EXPORT SurfaceState
     bool drawnForward(const osg::Geometry* geometry) const;
     /** What of its state no pass of ours draws, so that it is drawn exactly as without the node; null if nothing is. */
     const char* unsupported(const osg::Geometry* geometry) const;
-    /** What of its state is left out of its lit picture; null if nothing is. */
-    const char* ignored() const;
+    /** That dims it where a program of ours draws it; null: none does. */
+    const osg::Fog* fog() const { return _fog.on && !_ownProgram ? _fogAttribute.as<osg::Fog>() : nullptr; }
     /** The environment lights it where it is drawn forward, unless it is unsupported. */
     bool litForward() const { return _ownProgram ? _litProgram : _lighting.on; }
     /** A program of the user's asks the environment itself. */
@@ -165,6 +166,7 @@ class OSGENVLIGHT_EXPORT SurfaceState
     Attribute _blendEquation;
     Attribute _colorMask;
     Attribute _lightModel;
+    Attribute _fogAttribute;
     std::array<TextureUnit, units> _units;
     std::array<TextureStage, units> _stages;
     const osg::Depth* _nodeDepth = nullptr;
