@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // Geometry of the host's own drawables, for the G-buffer and for what is drawn forward.
-#pragma import_defines(HAS_SUN_MAPS, CLIP_PLANES, NO_TEXTURE, TEXGEN_OBJECT, TEXGEN_EYE, TEXGEN_PROJECTED, NORMAL_MAP, METAL_ROUGH_MAP, EMISSION_MAP, COAT_MAP, COAT_ROUGHNESS_MAP, COAT_NORMAL_MAP, ENVLIGHT_ANISOTROPY, VERTEX_TANGENTS, TEXTURE_STAGES)
+#pragma import_defines(MOVES_VERTICES, HAS_SUN_MAPS, CLIP_PLANES, NO_TEXTURE, TEXGEN_OBJECT, TEXGEN_EYE, TEXGEN_PROJECTED, NORMAL_MAP, METAL_ROUGH_MAP, EMISSION_MAP, COAT_MAP, COAT_ROUGHNESS_MAP, COAT_NORMAL_MAP, ENVLIGHT_ANISOTROPY, VERTEX_TANGENTS, TEXTURE_STAGES)
 #if defined(NORMAL_MAP) || defined(METAL_ROUGH_MAP) || defined(EMISSION_MAP) || defined(ENVLIGHT_ANISOTROPY)
 #define HAS_MAPS
 #endif
@@ -34,30 +34,39 @@ out vec4 mapCoordinates;     // of the arrays 0 and 1
 out vec3 stageCoordinates[4];  // s, t, q of the units 0 to 3
 #endif
 
+#ifdef MOVES_VERTICES
+void envlightVertex(inout vec4 vertex, inout vec3 normal);  // of the application's
+#endif
+
 void main()
 {
-    eyePosition = vec3(gl_ModelViewMatrix * gl_Vertex);
-    eyeNormal = gl_NormalMatrix * gl_Normal;
+    vec4 vertex = gl_Vertex;
+    vec3 normal = gl_Normal;
+#ifdef MOVES_VERTICES
+    envlightVertex(vertex, normal);
+#endif
+    eyePosition = vec3(gl_ModelViewMatrix * vertex);
+    eyeNormal = gl_NormalMatrix * normal;
 #ifdef HAS_SUN_MAPS
     cornerPosition = eyePosition;
     cornerNormal = eyeNormal;
 #endif
 #ifdef VERTEX_TANGENTS
     eyeTangent = mat3(gl_ModelViewMatrix) * vertexTangent.xyz;
-    eyeBitangent = mat3(gl_ModelViewMatrix) * (vertexTangent.w * cross(gl_Normal, vertexTangent.xyz));
+    eyeBitangent = mat3(gl_ModelViewMatrix) * (vertexTangent.w * cross(normal, vertexTangent.xyz));
 #endif
     vertexColor = gl_Color;
 #ifndef NO_TEXTURE
     vec4 coordinate = gl_MultiTexCoord0;
 #ifdef TEXGEN_OBJECT
-    coordinate.xy = vec2(dot(gl_Vertex, gl_ObjectPlaneS[0]), dot(gl_Vertex, gl_ObjectPlaneT[0]));
+    coordinate.xy = vec2(dot(vertex, gl_ObjectPlaneS[0]), dot(vertex, gl_ObjectPlaneT[0]));
 #endif
 #ifdef TEXGEN_EYE
-    vec4 eye = gl_ModelViewMatrix * gl_Vertex;
+    vec4 eye = gl_ModelViewMatrix * vertex;
     coordinate.xy = vec2(dot(eye, gl_EyePlaneS[0]), dot(eye, gl_EyePlaneT[0]));
 #endif
 #if defined(TEXGEN_OBJECT) && defined(TEXGEN_PROJECTED)
-    coordinate.w = dot(gl_Vertex, gl_ObjectPlaneQ[0]);
+    coordinate.w = dot(vertex, gl_ObjectPlaneQ[0]);
 #endif
 #if defined(TEXGEN_EYE) && defined(TEXGEN_PROJECTED)
     coordinate.w = dot(eye, gl_EyePlaneQ[0]);
@@ -75,9 +84,13 @@ void main()
     stageCoordinates[2] = (gl_TextureMatrix[2] * gl_MultiTexCoord2).xyw;
     stageCoordinates[3] = (gl_TextureMatrix[3] * gl_MultiTexCoord3).xyw;
 #endif
+#ifdef MOVES_VERTICES
+    gl_Position = gl_ModelViewProjectionMatrix * vertex;
+#else
     gl_Position = ftransform();
+#endif
     gl_Position.xy += subpixel * gl_Position.w;
 #ifdef CLIP_PLANES
-    gl_ClipVertex = gl_ModelViewMatrix * gl_Vertex;  // for the host's clip planes
+    gl_ClipVertex = gl_ModelViewMatrix * vertex;  // for the host's clip planes
 #endif
 }

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "frame/Accumulation.h"
 
+#include "gl/CasterProgram.h"
+
+#include <osgEnvLight/SurfaceProgram>
+
 #include <osg/Geometry>
 #include <osg/Material>
+#include <osg/Program>
 #include <osg/TexMat>
 #include <osg/Texture>
 #include <osgUtil/RenderBin>
@@ -88,7 +93,7 @@ uint64_t numberOf(const osg::StateSet& state, bool below)
 class SurfaceMixer
 {
   public:
-    explicit SurfaceMixer(const osg::StateSet* top) : _top(top) {}
+    SurfaceMixer(const osg::StateSet* top, unsigned frame) : _top(top), _frame(frame) {}
 
     void add(const osgUtil::RenderBin& bin)
     {
@@ -121,11 +126,17 @@ class SurfaceMixer
     uint64_t stateNumber(const osg::StateSet& state, bool below)
     {
         const auto [found, isNew] = _states.emplace(&state, 0);
-        if (isNew) found->second = numberOf(state, below);
+        if (!isNew) return found->second;
+        found->second = numberOf(state, below);
+        const auto* program =
+            below ? static_cast<const osg::Program*>(state.getAttribute(osg::StateAttribute::PROGRAM)) : nullptr;
+        const osg::Shader* moving = program ? SurfaceProgram::vertexShaderOf(*program) : nullptr;
+        if (moving && followsTime(*moving)) found->second += _frame;
         return found->second;
     }
 
     const osg::StateSet* _top;
+    const unsigned _frame;
     Mixer _mixer;
     std::unordered_map<const osg::StateSet*, uint64_t> _states;
 };
@@ -202,9 +213,9 @@ void Accumulation::setStandardError(unsigned run, double error) const
     if (run == _run) _error = error;
 }
 
-uint64_t surfacesOf(const osgUtil::RenderBin& bin, const osg::StateSet* top)
+uint64_t surfacesOf(const osgUtil::RenderBin& bin, const osg::StateSet* top, unsigned frame)
 {
-    SurfaceMixer mixer(top);
+    SurfaceMixer mixer(top, frame);
     mixer.add(bin);
     return mixer.get();
 }

@@ -104,7 +104,8 @@ class OSGENVLIGHT_EXPORT Accumulation : public osg::Referenced
 
 /** A number that changes with what the bin and those inside it draw: which drawables, where, with which vertices, materials,
  * textures and uniforms. In-place changes of other state attributes don't count.
- * @param top  not counted itself, nor the uniforms above it: the program below has its own */
-OSGENVLIGHT_EXPORT uint64_t surfacesOf(const osgUtil::RenderBin& bin, const osg::StateSet* top);
+ * @param top    not counted itself, nor the uniforms above it: the program below has its own
+ * @param frame  its number, which counts where a SurfaceProgram follows time */
+OSGENVLIGHT_EXPORT uint64_t surfacesOf(const osgUtil::RenderBin& bin, const osg::StateSet* top, unsigned frame);
 
 }  // namespace osgEnvLight

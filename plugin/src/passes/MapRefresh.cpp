@@ -34,7 +34,8 @@ AtlasRefresh::States statesOf(PassBuilder& b, FrameContext& c, const MapShaders&
         if (!second) continue;
         s.setDefine("CASTER_SECOND");
         s.setAttribute(new osg::ColorMask(false, true, false, false), fixedOn);  // beside the first one's slope
-        StateSets::bind(s, 1, {"firstDepthMap", targets.firstDepth.get()});
+        // The last unit: textures that move vertices may be on those before it.
+        StateSets::bind(s, 15, {"firstDepthMap", targets.firstDepth.get()});
     }
     const StateSets::State state = b.states().get({shaders.middles, {}, {targets.firstDepth.get()}});
     states.midpoints = &state.stateSet;

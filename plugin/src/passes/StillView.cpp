@@ -71,7 +71,7 @@ Accumulation::Key keyOf(const FrameContext& c)
     key.background = c.background;
     key.textures = c.textures.get();
     key.viewport = c.viewport;
-    key.surfaces = surfacesOf(*c.frame.gbufferStage, c.frame.fill->getStateSet());
+    key.surfaces = surfacesOf(*c.frame.gbufferStage, c.frame.fill->getStateSet(), c.number);
     return key;
 }
 

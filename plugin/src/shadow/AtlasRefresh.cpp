@@ -92,7 +92,7 @@ void AtlasRefresh::drawImplementation(osg::RenderInfo& renderInfo) const
     }
     _timed.end(state);
     state.haveAppliedAttribute(osg::StateAttribute::VIEWPORT);
-    for (unsigned unit = 0; unit < _states.midpoints->getNumTextureAttributeLists(); ++unit)
+    for (unsigned unit = 0; unit < _states.second->getNumTextureAttributeLists(); ++unit)
         state.haveAppliedTextureAttribute(unit, osg::StateAttribute::TEXTURE);
 }
 

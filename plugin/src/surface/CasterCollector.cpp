@@ -27,13 +27,19 @@ bool hasSurfaces(const osg::Geometry& geometry)
 }
 
 // What the state sets above the node and its own say of all below it.
-CasterState stateAt(osgUtil::CullVisitor& cv, SurfaceFacts* facts)
+MovingStates::Path pathTo(osgUtil::CullVisitor& cv)
 {
-    std::vector<const osg::StateSet*> above;
+    MovingStates::Path path;
     for (const osgUtil::StateGraph* graph = cv.getCurrentStateGraph(); graph; graph = graph->_parent)
-        if (graph->getStateSet()) above.push_back(graph->getStateSet());
+        if (graph->getStateSet()) path.push_back(graph->getStateSet());
+    std::reverse(path.begin(), path.end());
+    return path;
+}
+
+CasterState stateOf(const MovingStates::Path& path, SurfaceFacts* facts)
+{
     CasterState state(facts);
-    for (auto s = above.rbegin(); s != above.rend(); ++s) state.merge(**s);
+    for (const osg::StateSet* s : path) state.merge(*s);
     state.enterNode();
     return state;
 }
@@ -46,8 +52,9 @@ CasterCollector::CasterCollector(osgUtil::CullVisitor& cv, const osg::Matrixd& w
       osg::CullStack(cv),  // not made anew, which reads the environment's variables and, at INFO, prints that in every frame
       _worldFromEye(worldFromEye),
       _stateSets(stateSets),
-      _states(1, stateAt(cv, facts))
+      _path(pathTo(cv))
 {
+    _states.push_back(stateOf(_path, facts));
     setTraversalMask(cv.getTraversalMask());
     setNodeMaskOverride(cv.getNodeMaskOverride());
     setFrameStamp(const_cast<osg::FrameStamp*>(cv.getFrameStamp()));
@@ -67,11 +74,12 @@ std::vector<Caster> CasterCollector::collect(osg::Group& group)
 
 void CasterCollector::forgetUnused(StateSets& stateSets, const std::vector<Caster>& casters)
 {
-    if (stateSets.empty()) return;
+    if (stateSets.perforated.empty() && stateSets.moving.empty()) return;
     std::set<const osg::StateSet*> used;
     for (const Caster& caster : casters) used.insert(caster.state.get());
-    for (auto it = stateSets.begin(); it != stateSets.end();)
-        it = used.count(it->second.get()) ? std::next(it) : stateSets.erase(it);
+    for (auto it = stateSets.perforated.begin(); it != stateSets.perforated.end();)
+        it = used.count(it->second.get()) ? std::next(it) : stateSets.perforated.erase(it);
+    stateSets.moving.forgetUnused(used);
 }
 
 float CasterCollector::getDistanceToEyePoint(const osg::Vec3& pos, bool withLODScale) const
@@ -91,14 +99,26 @@ float CasterCollector::getDistanceFromEyePoint(const osg::Vec3& pos, bool withLO
     return float(-z) * (withLODScale ? getLODScale() : 1.0f);
 }
 
+void CasterCollector::push(const osg::StateSet* stateSet)
+{
+    if (!stateSet) return;
+    _states.push_back(_states.back());
+    _states.back().merge(*stateSet);
+    _path.push_back(stateSet);
+}
+
+void CasterCollector::pop(const osg::StateSet* stateSet)
+{
+    if (!stateSet) return;
+    _states.pop_back();
+    _path.pop_back();
+}
+
 void CasterCollector::traverseWith(const osg::StateSet* stateSet, osg::Node& node)
 {
-    if (stateSet) {
-        _states.push_back(_states.back());
-        _states.back().merge(*stateSet);
-    }
+    push(stateSet);
     traverse(node);
-    if (stateSet) _states.pop_back();
+    pop(stateSet);
 }
 
 void CasterCollector::apply(osg::Node& node)
@@ -124,23 +144,18 @@ void CasterCollector::apply(osg::Billboard& node)
         if (!geometry) continue;
         osg::Matrixd matrix(*getModelViewMatrix());
         node.computeMatrix(matrix, eye, node.getPosition(i));
-        _states.push_back(_states.back());
-        for (const osg::StateSet* s : {static_cast<const osg::Node&>(node).getStateSet(), geometry->getStateSet()})
-            if (s) _states.back().merge(*s);
+        const osg::StateSet* of[] = {static_cast<const osg::Node&>(node).getStateSet(), geometry->getStateSet()};
+        for (const osg::StateSet* s : of) push(s);
         add(*geometry, matrix);
-        _states.pop_back();
+        for (const osg::StateSet* s : of) pop(s);
     }
 }
 
 void CasterCollector::apply(osg::Geometry& geometry)
 {
-    const osg::StateSet* stateSet = geometry.getStateSet();
-    if (stateSet) {
-        _states.push_back(_states.back());
-        _states.back().merge(*stateSet);
-    }
+    push(geometry.getStateSet());
     add(geometry, *getModelViewMatrix());
-    if (stateSet) _states.pop_back();
+    pop(geometry.getStateSet());
 }
 
 void CasterCollector::add(const osg::Geometry& geometry, const osg::Matrixd& eyeFromModel)
@@ -149,8 +164,15 @@ void CasterCollector::add(const osg::Geometry& geometry, const osg::Matrixd& eye
     if (!state.casts(&geometry) || !hasSurfaces(geometry)) return;
     Caster caster{&geometry, eyeFromModel * _worldFromEye, nullptr,
                   geometry.getVertexArray() ? geometry.getVertexArray()->getModifiedCount() : 0};
+    if (state.movingProgram()) {
+        caster.moves = true;
+        caster.state = _stateSets.moving.get(_path, state, geometry);
+        caster.shape += _stateSets.moving.change(_path, *state.movingProgram(), getTraversalNumber());
+        _casters.push_back(caster);
+        return;
+    }
     if (state.perforated(geometry)) {
-        osg::ref_ptr<osg::StateSet>& shared = _stateSets[state.key(geometry)];
+        osg::ref_ptr<osg::StateSet>& shared = _stateSets.perforated[state.key(geometry)];
         if (!shared) shared = state.makeStateSet(geometry);
         caster.state = shared;
     }

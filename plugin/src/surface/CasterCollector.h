@@ -2,6 +2,7 @@
 #pragma once
 
 #include "surface/CasterState.h"
+#include "surface/MovingStates.h"
 
 #include <osg/BoundingBox>
 #include <osg/CullStack>
@@ -23,11 +24,12 @@ namespace osgEnvLight
 struct Caster {
     osg::ref_ptr<const osg::Geometry> geometry;
     osg::Matrixd worldFromModel;
-    osg::ref_ptr<osg::StateSet> state;  // of perforated ones; null: solid
-    unsigned shape = 0;                 // modified count of its vertices
+    osg::ref_ptr<osg::StateSet> state;  // of those that are perforated or move; null: solid
+    uint64_t shape = 0;                 // changes with its vertices
     SentLight sent = {};                // where it was asked for
     osg::Vec3f lamp = {};               // emission of what is an area light, as typed, linear; black: it is none
     bool bothSides = true;              // are drawn
+    bool moves = false;                 // a program of the application's moves its vertices [SurfaceProgram]
 };
 
 /** All that casts shadows below a node, whether the view shows it or not: levels of detail, switches, billboards and paged
@@ -36,8 +38,11 @@ struct Caster {
 class OSGENVLIGHT_EXPORT CasterCollector : public osg::NodeVisitor, public osg::CullStack
 {
   public:
-    /** State sets of perforated casters, kept from frame to frame. */
-    using StateSets = std::map<CasterState::Key, osg::ref_ptr<osg::StateSet>>;
+    /** State sets of perforated casters, and of those that move, kept from frame to frame. */
+    struct StateSets {
+        std::map<CasterState::Key, osg::ref_ptr<osg::StateSet>> perforated;
+        MovingStates moving;
+    };
 
     /** @param cv             the host's traversal, standing at the node
      * @param worldFromEye   of the view
@@ -79,12 +84,15 @@ class OSGENVLIGHT_EXPORT CasterCollector : public osg::NodeVisitor, public osg::
     void apply(osg::Drawable&) override {}
 
   private:
+    void push(const osg::StateSet* stateSet);
+    void pop(const osg::StateSet* stateSet);
     void traverseWith(const osg::StateSet* stateSet, osg::Node& node);
     void add(const osg::Geometry& geometry, const osg::Matrixd& eyeFromModel);
 
     const osg::Matrixd _worldFromEye;
     StateSets& _stateSets;
     std::vector<CasterState> _states;
+    MovingStates::Path _path;  // the state sets that these are made of
     std::vector<Caster> _casters;
     bool _findsSentLight = false;
     bool _displayColors = true;

@@ -9,6 +9,7 @@ namespace osgEnvLight
 void GBufferFill::setState(osg::StateSet& stateSet, osg::Program* program, osg::Viewport* viewport)
 {
     stateSet.setAttribute(program, osg::StateAttribute::ON | osg::StateAttribute::PROTECTED);
+    stateSet.setDefine("ENVLIGHT_GBUFFER");  // for programs of SurfaceProgram
     stateSet.setMode(GL_BLEND, osg::StateAttribute::OFF | osg::StateAttribute::OVERRIDE);
     stateSet.setAttribute(viewport);  // the host's own is re-applied with its state
     stateSet.addUniform(new osg::Uniform("baseColorMap", 0));

@@ -62,6 +62,10 @@ void StaticCasters::sort(const std::vector<Caster>& casters, bool merges, double
     _loose.clear();
     size_t next = 0;
     for (const Caster& caster : casters) {
+        if (caster.moves) {
+            _loose.push_back(caster);
+            continue;
+        }
         size_t found = next;
         while (found < former.size() && !sameShadow(former[found].caster, caster, slack)) ++found;
         if (found < former.size()) {

@@ -2,6 +2,7 @@
 #include "surface/SurfaceState.h"
 
 #include <osgEnvLight/LightShader>
+#include <osgEnvLight/SurfaceProgram>
 
 #include "surface/MaterialMaps.h"
 
@@ -67,7 +68,9 @@ void SurfaceState::merge(const osg::StateSet& s)
         if (key.second == 0) mergeAttribute(key.first, pair);
     if (!s.getTextureModeList().empty() || !s.getTextureAttributeList().empty()) mergeTextures(s);
     if (const osg::StateAttribute* program = s.getAttribute(osg::StateAttribute::PROGRAM)) {
-        _ownProgram = !s.getDefinePair(gbufferDefine);
+        const auto& own = static_cast<const osg::Program&>(*program);
+        _movingProgram = SurfaceProgram::vertexShaderOf(own) ? &own : nullptr;
+        _ownProgram = !_movingProgram && !s.getDefinePair(gbufferDefine);
         _litProgram = hasLightShader(static_cast<const osg::Program&>(*program));
     }
     if (!s.getUniformList().empty()) mergeMaps(s);
@@ -166,6 +169,7 @@ void SurfaceState::mergeTextures(const osg::StateSet& s)
 void SurfaceState::enterNode()
 {
     _ownProgram = false;
+    _movingProgram = nullptr;
     for (Mode* m : {&_stencil, &_scissor, &_logicOp, &_vertexProgram, &_fragmentProgram}) m->on = false;
     _colorMask.attribute = nullptr;
     _nodeDepth = _depth.as<osg::Depth>();

@@ -105,6 +105,8 @@ class OSGENVLIGHT_EXPORT SurfaceState
     bool clipped() const;
 
     bool ownProgram() const { return _ownProgram; }
+    /** Of SurfaceProgram; null: nothing moves its vertices. */
+    const osg::Program* movingProgram() const { return _movingProgram; }
     /** Not for a G-buffer: blended, or drawn by the user's own program or against the depth buffer's rules. */
     bool drawnForward(const osg::Geometry* geometry) const;
     /** What of its state no pass of ours draws, so that it is drawn exactly as without the node; null if nothing is. */
@@ -171,6 +173,7 @@ class OSGENVLIGHT_EXPORT SurfaceState
     std::array<TextureStage, units> _stages;
     const osg::Depth* _nodeDepth = nullptr;
     bool _ownProgram = false;
+    const osg::Program* _movingProgram = nullptr;
     bool _litProgram = false;  // it has a LightShader
     int _brdf = -1;
     std::array<int, 7> _mapUnits{};  // 0: none
