@@ -31,7 +31,23 @@ out vec3 textureCoordinate;  // s, t, q
 out vec4 mapCoordinates;     // of the arrays 0 and 1
 #endif
 #ifdef TEXTURE_STAGES
+#include "lib/limits.glsl"
+uniform int stageCoordinateKinds[STAGED_UNITS];
 out vec3 stageCoordinates[4];  // s, t, q of the units 0 to 3
+
+// Of the unit, as its planes have them, if it generates them.
+vec3 stageCoordinate(int unit, vec4 given, vec4 vertex, vec4 eye)
+{
+    int kind = stageCoordinateKinds[unit];
+    bool byEye = (kind & STAGE_OF_EYE) != 0;
+    vec4 p = byEye ? eye : vertex;
+    if (kind != STAGE_GIVEN) {
+        given.x = dot(p, byEye ? gl_EyePlaneS[unit] : gl_ObjectPlaneS[unit]);
+        given.y = dot(p, byEye ? gl_EyePlaneT[unit] : gl_ObjectPlaneT[unit]);
+    }
+    if ((kind & STAGE_PROJECTED) != 0) given.w = dot(p, byEye ? gl_EyePlaneQ[unit] : gl_ObjectPlaneQ[unit]);
+    return (gl_TextureMatrix[unit] * given).xyw;
+}
 #endif
 
 #ifdef MOVES_VERTICES
@@ -79,10 +95,11 @@ void main()
     mapCoordinates = vec4(gl_MultiTexCoord0.xy, gl_MultiTexCoord1.xy);
 #endif
 #ifdef TEXTURE_STAGES
-    stageCoordinates[0] = (gl_TextureMatrix[0] * gl_MultiTexCoord0).xyw;
-    stageCoordinates[1] = (gl_TextureMatrix[1] * gl_MultiTexCoord1).xyw;
-    stageCoordinates[2] = (gl_TextureMatrix[2] * gl_MultiTexCoord2).xyw;
-    stageCoordinates[3] = (gl_TextureMatrix[3] * gl_MultiTexCoord3).xyw;
+    vec4 eyeVertex = gl_ModelViewMatrix * vertex;
+    stageCoordinates[0] = stageCoordinate(0, gl_MultiTexCoord0, vertex, eyeVertex);
+    stageCoordinates[1] = stageCoordinate(1, gl_MultiTexCoord1, vertex, eyeVertex);
+    stageCoordinates[2] = stageCoordinate(2, gl_MultiTexCoord2, vertex, eyeVertex);
+    stageCoordinates[3] = stageCoordinate(3, gl_MultiTexCoord3, vertex, eyeVertex);
 #endif
 #ifdef MOVES_VERTICES
     gl_Position = gl_ModelViewProjectionMatrix * vertex;

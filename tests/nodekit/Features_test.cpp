@@ -116,9 +116,11 @@ TEST_F(Features, FixedFunctionThatNoPassDrawsIsDrawnAsWithoutUs)
         {unit(1, floats), "texture units beyond the first of floats or without colours"},
         {[](osg::StateSet& s) {
              s.setTextureAttributeAndModes(1, texture(twoHalves(red, blue)).get());
-             s.setTextureAttributeAndModes(1, new osg::TexGen);
+             const osg::ref_ptr<osg::TexGen> sphere = new osg::TexGen;
+             sphere->setMode(osg::TexGen::SPHERE_MAP);
+             s.setTextureAttributeAndModes(1, sphere);
          },
-         "generated texture coordinates beyond the first unit"},
+         "generated otherwise than by planes"},
         {unit(0, line), "textures other than Texture2D"},
         {unit(0, volume), "textures other than Texture2D"},
         {unit(0, rectangle), "textures other than Texture2D"},

@@ -5,6 +5,7 @@
 #include <osg/TexEnv>
 #include <osg/TexEnvCombine>
 #include <osg/TexGen>
+#include <osg/TexGenNode>
 #include <osg/TexMat>
 #include <osg/TextureCubeMap>
 
@@ -150,7 +151,37 @@ TEST_F(Features, GeneratedCoordinates)
             s.setTextureMode(0, GL_TEXTURE_GEN_T, osg::StateAttribute::ON);
             EXPECT_NEAR(lit(model, 4)[sense > 0 ? 0 : 2], 1.0, small) << "eye " << eye;
             s.setTextureMode(0, GL_TEXTURE_GEN_T, osg::StateAttribute::OFF);
-            expectAsWithout(model, "texture coordinates that are generated in part");
+            expectAsWithout(model, "generated otherwise than by planes, or in part");
+        }
+}
+
+// Planes in the space of the model, of the eye, and of a TexGenNode, which turns and projects them: a slide projector's.
+TEST_F(Features, GeneratedCoordinatesAfterTheFirstUnit)
+{
+    for (const unsigned unit : {1u, 3u})
+        for (const int kind : {0, 1, 2}) {
+            const osg::ref_ptr<osg::Group> model = new osg::Group;
+            model->addChild(card());
+            osg::StateSet& s = *model->getOrCreateStateSet();
+            const osg::ref_ptr<osg::Texture2D> halves = texture(twoHalves(red, blue));
+            halves->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
+            s.setTextureAttributeAndModes(unit, halves);
+            const osg::ref_ptr<osg::TexGen> gen = new osg::TexGen;
+            gen->setMode(kind == 0 ? osg::TexGen::OBJECT_LINEAR : osg::TexGen::EYE_LINEAR);
+            gen->setPlane(osg::TexGen::S, osg::Plane(kind == 2 ? -1.0 / 3.0 : 1.0 / 6.0, 0, 0, kind == 2 ? 1.0 : 0.5));
+            gen->setPlane(osg::TexGen::T, osg::Plane(0, 0, 0, 0.5));
+            gen->setPlane(osg::TexGen::Q, osg::Plane(0, 0, 0, 2));
+            for (const GLenum mode : {GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T}) s.setTextureMode(unit, mode, osg::StateAttribute::ON);
+            if (kind == 2) {
+                s.setTextureMode(unit, GL_TEXTURE_GEN_Q, osg::StateAttribute::ON);
+                const osg::ref_ptr<osg::TexGenNode> node = new osg::TexGenNode(gen);
+                node->setTextureUnit(unit);
+                model->addChild(node);
+            } else {
+                s.setTextureAttribute(unit, gen);
+            }
+            EXPECT_NEAR(1.0, lit(model, 4)[kind == 2 ? 2 : 0], small) << "unit " << unit << " kind " << kind;
+            EXPECT_NEAR(1.0, lit(model, size - 5)[kind == 2 ? 0 : 2], small) << "unit " << unit << " kind " << kind;
         }
 }
 

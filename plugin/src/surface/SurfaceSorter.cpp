@@ -77,13 +77,15 @@ void addStages(const SurfaceState::Stages& stages, osg::StateSet& stateSet)
 {
     osg::ref_ptr<osg::Uniform> kinds = new osg::Uniform(osg::Uniform::INT, "textureStages", int(stages.size()));
     osg::ref_ptr<osg::Uniform> scales = new osg::Uniform(osg::Uniform::FLOAT, "textureScales", int(stages.size()));
+    osg::ref_ptr<osg::Uniform> coordinates = new osg::Uniform(osg::Uniform::INT, "stageCoordinateKinds", int(stages.size()));
     osg::ref_ptr<osg::Uniform> samplers = new osg::Uniform(osg::Uniform::SAMPLER_2D, "stageMaps", int(stages.size()));
     for (unsigned unit = 0; unit < stages.size(); ++unit) {
         kinds->setElement(unit, stages[unit].kind);
         scales->setElement(unit, stages[unit].scale);
+        coordinates->setElement(unit, stages[unit].coordinates);
         samplers->setElement(unit, int(unit));
     }
-    for (osg::Uniform* u : {kinds.get(), scales.get(), samplers.get()}) stateSet.addUniform(u);
+    for (osg::Uniform* u : {kinds.get(), scales.get(), coordinates.get(), samplers.get()}) stateSet.addUniform(u);
 }
 
 }  // namespace
@@ -284,8 +286,9 @@ bool SurfaceSorter::Variation::operator<(const Variation& other) const
 {
     if (bits != other.bits) return bits < other.bits;
     return std::lexicographical_compare(
-        stages.begin(), stages.end(), other.stages.begin(), other.stages.end(),
-        [](const TextureStage& a, const TextureStage& b) { return std::tie(a.kind, a.scale) < std::tie(b.kind, b.scale); });
+        stages.begin(), stages.end(), other.stages.begin(), other.stages.end(), [](const TextureStage& a, const TextureStage& b) {
+            return std::tie(a.kind, a.scale, a.coordinates) < std::tie(b.kind, b.scale, b.coordinates);
+        });
 }
 
 const osg::StateSet* SurfaceSorter::variant(const Variation& variation)

@@ -219,7 +219,10 @@ SurfaceState::Stages SurfaceState::stages() const
     Stages stages;
     if (_brdf >= 0) return stages;
     if (_stages[0].kind == limits::STAGE_NORMALS) stages[0].kind = limits::STAGE_NORMALS;
-    std::copy(_stages.begin() + 1, _stages.begin() + stages.size(), stages.begin() + 1);
+    for (size_t unit = 1; unit < stages.size(); ++unit) {
+        stages[unit] = _stages[unit];
+        if (stages[unit].kind != limits::STAGE_NONE) stages[unit].coordinates = _units[unit].coordinates();
+    }
     return stages;
 }
 
@@ -231,9 +234,9 @@ bool SurfaceState::bumped() const
 
 SurfaceState::Coordinates SurfaceState::coordinates() const
 {
-    const auto* gen = _units[0].texGen[0].on && texture() ? _units[0].texGenMode.as<osg::TexGen>() : nullptr;
-    if (!gen) return FROM_VERTICES;
-    return gen->getMode() == osg::TexGen::OBJECT_LINEAR ? FROM_OBJECT : FROM_EYE;
+    if (!texture()) return FROM_VERTICES;
+    const int from = _units[0].coordinates() & ~limits::STAGE_PROJECTED;
+    return from == limits::STAGE_GIVEN ? FROM_VERTICES : from == limits::STAGE_OF_OBJECT ? FROM_OBJECT : FROM_EYE;
 }
 
 TextureFacts SurfaceState::textureFacts() const
@@ -367,7 +370,7 @@ const char* SurfaceState::unsupportedTexture() const
         if (kind == limits::STAGE_NONE) continue;
         if (unit >= size_t(limits::STAGED_UNITS)) return "texture units beyond the fourth";
         if (kind == limits::STAGE_OTHER) return "texture units beyond the first that are not Texture2D or combine";
-        if (u.generates()) return "generated texture coordinates beyond the first unit";
+        if (!u.generatesLinear()) return "texture coordinates that are generated otherwise than by planes, or in part";
         const TextureFacts facts = factsOf(*u.texture.as<osg::Texture>());
         if (facts.linear || facts.alphaOnly) return "texture units beyond the first of floats or without colours";
     }
@@ -379,10 +382,8 @@ const char* SurfaceState::unsupportedTexture() const
     if (stage.kind == limits::STAGE_OTHER || stage.kind == limits::STAGE_ADD_SIGNED || stage.scale != 1.0f)
         return "texture environments that combine";
     if (!first.generates()) return nullptr;
-    const auto* gen = first.texGenMode.as<osg::TexGen>();
-    const bool linear = gen && (gen->getMode() == osg::TexGen::OBJECT_LINEAR || gen->getMode() == osg::TexGen::EYE_LINEAR);
-    const bool both = first.texGen[0].on && first.texGen[1].on && stage.kind != limits::STAGE_NORMALS;
-    return linear && both ? nullptr : "texture coordinates that are generated in part";
+    const bool linear = first.generatesLinear() && stage.kind != limits::STAGE_NORMALS;
+    return linear ? nullptr : "texture coordinates that are generated otherwise than by planes, or in part";
 }
 
 const char* SurfaceState::unsupported(const osg::Geometry* geometry) const

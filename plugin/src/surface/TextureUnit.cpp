@@ -5,6 +5,7 @@
 
 #include <osg/TexEnv>
 #include <osg/TexEnvCombine>
+#include <osg/TexGen>
 #include <osg/TextureRectangle>
 
 #include <algorithm>
@@ -85,6 +86,22 @@ bool TextureUnit::hasTexels() const
 {
     const auto* t = texturing.on || otherTarget.on ? texture.as<osg::Texture>() : nullptr;
     return t && SurfaceFacts::hasTexels(*t);
+}
+
+bool TextureUnit::generatesLinear() const
+{
+    if (!generates()) return true;
+    const auto* gen = texGenMode.as<osg::TexGen>();
+    const bool linear = !gen || gen->getMode() == osg::TexGen::OBJECT_LINEAR || gen->getMode() == osg::TexGen::EYE_LINEAR;
+    return linear && texGen[0].on && texGen[1].on;
+}
+
+int TextureUnit::coordinates() const
+{
+    if (!generates()) return STAGE_GIVEN;
+    const auto* gen = texGenMode.as<osg::TexGen>();
+    const int planes = gen && gen->getMode() == osg::TexGen::OBJECT_LINEAR ? STAGE_OF_OBJECT : STAGE_OF_EYE;
+    return planes + (texGen[3].on ? STAGE_PROJECTED : 0);
 }
 
 TextureStage TextureUnit::stage(bool first) const

@@ -14,7 +14,8 @@ namespace osgEnvLight
 /** How a texture joins the colour that the units before it leave: a stage of lib/limits.glsl. */
 struct TextureStage {
     int kind = limits::STAGE_NONE;
-    float scale = 1.0f;  // of the sum or product: 1, 2 or 4
+    float scale = 1.0f;                     // of the sum or product: 1, 2 or 4
+    int coordinates = limits::STAGE_GIVEN;  // where they come from
 };
 
 /** What fixed-function state says of one texture unit. */
@@ -32,6 +33,11 @@ struct OSGENVLIGHT_EXPORT TextureUnit {
     /** A texture that OSG draws with, of whatever target. */
     bool hasTexels() const;
     bool generates() const { return texGen[0].on || texGen[1].on; }
+    /** Both coordinates, or none, and those by planes. */
+    bool generatesLinear() const;
+    /** Where they come from, as TextureStage has it. A TexGenNode positions its planes in eye space, and no state set has them.
+     */
+    int coordinates() const;
     /** @param first  whether no unit comes before it, so that the primary colour is what it joins */
     TextureStage stage(bool first) const;
 };
