@@ -123,15 +123,17 @@ TEST_F(Features, ThickFogHidesEveryTerm)
     scene->addChild(makeQuad(osg::Vec3d(-9, -9, -1), osg::Vec3d(18, 0, 0), osg::Vec3d(0, 18, 0)));
     scene->getOrCreateStateSet()->setAttributeAndModes(blueFog(osg::Fog::EXP, 100.0f));
     renderer.lookAt(osg::Vec3d(0, -4, 2), osg::Vec3d());
-    for (const int frames : {2, 30}) {
-        const Picture p = renderer.render(scene, frames);
+    Picture p = renderer.render(scene, 2);
+    for (const unsigned frames : {0u, 24u}) {
+        // A still view begins when its probes are there.
+        for (int i = 0; i < 500 && scene->average().frames < frames; ++i) p = renderer.render(scene, 4);
+        EXPECT_EQ(frames, scene->average().frames);
         for (const osg::Vec2i& q : {osg::Vec2i(size / 2, size / 2), osg::Vec2i(size / 2, 1), osg::Vec2i(4, 4)}) {
             const osg::Vec3d c = p.color(q.x(), q.y());
             EXPECT_NEAR(0.0, c[0], 1e-4) << frames << " at " << q.x() << ", " << q.y();
             EXPECT_NEAR(1.0, c[2], 1e-3) << frames << " at " << q.x() << ", " << q.y();
         }
     }
-    EXPECT_GT(scene->average().frames, 8u);
 }
 
 TEST_F(Features, AStillViewStartsAnewWhenItsFogChanges)
