@@ -34,7 +34,9 @@ std::vector<std::string> commands()
 
 bool opensWindow(const std::string& command)
 {
-    return command.rfind("osgviewer ", 0) == 0 || command.rfind("build/release/bin/envlight-viewer ", 0) == 0;
+    for (const char* program : {"osgviewer ", "build/release/bin/envlight-viewer ", "build/release/bin/shaders"})
+        if (command.rfind(program, 0) == 0) return true;
+    return false;
 }
 
 }  // namespace
