@@ -5,6 +5,7 @@
 #include <osgEnvLight/LightShader>
 #include <osgEnvLight/Material>
 
+#include <osg/GLExtensions>
 #include <osg/Geometry>
 #include <osg/Material>
 #include <osg/Program>
@@ -97,6 +98,27 @@ class LightShaders : public testing::Test
     SceneRenderer renderer;
 };
 
+// As osgEarth's: of a program's type, and no osg::Program. It counts how often it was applied.
+class ForeignProgram : public osg::StateAttribute
+{
+  public:
+    ForeignProgram() = default;
+    ForeignProgram(const ForeignProgram& o, const osg::CopyOp& copyop) : osg::StateAttribute(o, copyop) {}
+    META_StateAttribute(LightShader_test, ForeignProgram,
+                        osg::StateAttribute::PROGRAM) int compare(const osg::StateAttribute& other) const override
+    {
+        return this == &other ? 0 : 1;
+    }
+    void apply(osg::State& state) const override
+    {
+        state.get<osg::GLExtensions>()->glUseProgram(0);
+        state.setLastAppliedProgramObject(nullptr);
+        ++applied;
+    }
+
+    mutable int applied = 0;
+};
+
 }  // namespace
 
 // On a matt layer it is the same function of the same maps: measured 1.0 % apart, by O's filter. A metal's lobe is one look-up,
@@ -135,6 +157,24 @@ TEST_F(LightShaders, AreALampAtTheEyeWithoutALitScene)
     renderer.render(sceneWith(ball), 3);
     EXPECT_EQ(before.rgba, renderer.render(plain, 2).rgba);
     EXPECT_EQ("", notify.text());
+}
+
+TEST(ForeignPrograms, AreDrawnAsWithoutUs)
+{
+    SceneRenderer renderer(32, 32);
+    const osg::ref_ptr<ForeignProgram> program = new ForeignProgram;
+    const osg::ref_ptr<osg::Geode> geode = ball();
+    geode->getOrCreateStateSet()->setAttributeAndModes(program);
+    const osg::ref_ptr<LitScene> lit = makeLit(constantMap(1.0).get());
+    lit->getSettings()->accumulate = true;
+    lit->getSettings()->accumulateLights = 16;
+    lit->getSettings()->accumulateSize = 32;
+    lit->addChild(geode);
+    lit->addChild(makeQuad(osg::Vec3d(-2, -2, 0), osg::Vec3d(4, 0, 0), osg::Vec3d(0, 4, 0)));
+    renderer.lookAt(osg::Vec3d(0, -4, 2), osg::Vec3d());
+    renderer.render(lit, 12);
+    EXPECT_EQ(1u, lit->plan().surfaces.forward);
+    EXPECT_GT(program->applied, 0);
 }
 
 TEST_F(LightShaders, AreKnownAgainFromAFile)

@@ -129,7 +129,7 @@ class SurfaceMixer
         if (!isNew) return found->second;
         found->second = numberOf(state, below);
         const auto* program =
-            below ? static_cast<const osg::Program*>(state.getAttribute(osg::StateAttribute::PROGRAM)) : nullptr;
+            below ? dynamic_cast<const osg::Program*>(state.getAttribute(osg::StateAttribute::PROGRAM)) : nullptr;
         const osg::Shader* moving = program ? SurfaceProgram::vertexShaderOf(*program) : nullptr;
         if (moving && followsTime(*moving)) found->second += _frame;
         return found->second;

@@ -64,6 +64,7 @@ void ViewData::resizeGLObjectBuffers(unsigned maximum)
     if (_gbuffer) _gbuffer->resizeGLObjectBuffers(maximum);
     graph.resizeGLObjectBuffers(maximum);
     atlasLights.resizeGLObjectBuffers(maximum);
+    casterStates.moving.resizeGLObjectBuffers(maximum);
     for (auto& [cullVisitor, frame] : _frames) frame->resizeGLObjectBuffers(maximum);
 }
 
@@ -73,6 +74,7 @@ void ViewData::releaseGLObjects(osg::State* state) const
     graph.releaseGLObjects(state);
     atlasLights.releaseGLObjects(state);
     timer->releaseGLObjects(state);
+    casterStates.moving.releaseGLObjects(state);
     for (const auto& [cullVisitor, frame] : _frames) frame->releaseGLObjects(state);
 }
 

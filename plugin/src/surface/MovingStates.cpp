@@ -64,6 +64,16 @@ uint64_t MovingStates::change(const Path& path, const osg::Program& program, uns
     return sum;
 }
 
+void MovingStates::resizeGLObjectBuffers(unsigned maximum)
+{
+    for (auto& [shader, drawn] : _drawn) drawn.program->resizeGLObjectBuffers(maximum);
+}
+
+void MovingStates::releaseGLObjects(osg::State* state) const
+{
+    for (const auto& [shader, drawn] : _drawn) drawn.program->releaseGLObjects(state);
+}
+
 void MovingStates::forgetUnused(const std::set<const osg::StateSet*>& used)
 {
     for (auto it = _states.begin(); it != _states.end();) it = used.count(it->second.get()) ? std::next(it) : _states.erase(it);

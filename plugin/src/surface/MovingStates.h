@@ -29,6 +29,8 @@ class OSGENVLIGHT_EXPORT MovingStates
     uint64_t change(const Path& path, const osg::Program& program, unsigned frame);
 
     bool empty() const { return _states.empty(); }
+    void resizeGLObjectBuffers(unsigned maximum);
+    void releaseGLObjects(osg::State* state) const;
     void forgetUnused(const std::set<const osg::StateSet*>& used);
 
   private:

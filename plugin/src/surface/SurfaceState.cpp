@@ -68,10 +68,10 @@ void SurfaceState::merge(const osg::StateSet& s)
         if (key.second == 0) mergeAttribute(key.first, pair);
     if (!s.getTextureModeList().empty() || !s.getTextureAttributeList().empty()) mergeTextures(s);
     if (const osg::StateAttribute* program = s.getAttribute(osg::StateAttribute::PROGRAM)) {
-        const auto& own = static_cast<const osg::Program&>(*program);
-        _movingProgram = SurfaceProgram::vertexShaderOf(own) ? &own : nullptr;
+        const auto* own = dynamic_cast<const osg::Program*>(program);  // osgEarth's is none
+        _movingProgram = own && SurfaceProgram::vertexShaderOf(*own) ? own : nullptr;
         _ownProgram = !_movingProgram && !s.getDefinePair(gbufferDefine);
-        _litProgram = hasLightShader(static_cast<const osg::Program&>(*program));
+        _litProgram = own && hasLightShader(*own);
     }
     if (!s.getUniformList().empty()) mergeMaps(s);
 }
