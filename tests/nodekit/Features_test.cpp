@@ -103,6 +103,8 @@ TEST_F(Features, FixedFunctionThatNoPassDrawsIsDrawnAsWithoutUs)
     std::fill_n(reinterpret_cast<float*>(decimals->data()), 4, 0.5f);
     const osg::ref_ptr<osg::Texture2D> floats = texture(decimals);
     const osg::ref_ptr<osg::TextureRectangle> rectangle = new osg::TextureRectangle(twoHalves(red, blue));
+    const osg::ref_ptr<osg::Texture2D> shadowMap = texture(twoHalves(red, blue));  // osgShadow's in the fixed function
+    shadowMap->setShadowComparison(true);
     const std::pair<Change, const char*> rows[] = {
         {mode(stencil), "the stencil test"},
         {mode(new osg::Scissor(0, 0, 20, 20)), "the scissor test"},
@@ -113,6 +115,7 @@ TEST_F(Features, FixedFunctionThatNoPassDrawsIsDrawnAsWithoutUs)
         {mode(new osg::Depth(osg::Depth::LESS, 0.0, 0.5)), "depth tests for other than the nearest"},
         {unit(4, texture(twoHalves(red, blue))), "texture units beyond the fourth"},
         {unit(1, volume), "texture units beyond the first that are not Texture2D or combine"},
+        {unit(1, shadowMap), "texture units beyond the first that are not Texture2D or combine"},
         {unit(1, floats), "texture units beyond the first of floats or without colours"},
         {[](osg::StateSet& s) {
              s.setTextureAttributeAndModes(1, texture(twoHalves(red, blue)).get());

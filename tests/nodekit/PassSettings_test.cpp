@@ -8,6 +8,7 @@
 
 #include <osgEnvLight/AreaLight>
 #include <osgEnvLight/Material>
+#include <osgEnvLight/SurfaceProgram>
 
 #include <osg/LightSource>
 #include <osg/Material>
@@ -118,7 +119,7 @@ Found settingsOf(const std::set<StateSets>& drawn, osg::State& state)
     return found;
 }
 
-constexpr unsigned farBox = 2;  // a child's number; the glass is the next
+constexpr unsigned farBox = 2;  // a child's number; a moved ball and the glass are the next
 
 // Of all that passes are there for, with part of the scene far away.
 osg::ref_ptr<WatchedScene> makeScene()
@@ -138,6 +139,10 @@ osg::ref_ptr<WatchedScene> makeScene()
     osgEnvLight::Material::setCoat(*coated->getOrCreateStateSet(), 1.0f);
     lit->addChild(coated);
     lit->addChild(makeBox(osg::Vec3d(999, 0, 0), osg::Vec3d(1000, 1, 1)));  // farBox
+    const osg::ref_ptr<osg::Geode> moved = makeSphere(osg::Vec3d(0, 0, 0.6), 0.1, 8);
+    moved->getOrCreateStateSet()->setAttributeAndModes(
+        osgEnvLight::SurfaceProgram::create("void envlightVertex(inout vec4 vertex, inout vec3 normal) {}"));
+    lit->addChild(moved);
     const osg::ref_ptr<osg::Geode> glass = makeQuad(osg::Vec3d(-0.5, -1, -0.5), osg::Vec3d(1, 0, 0), osg::Vec3d(0, 0, 1));
     const osg::ref_ptr<osg::Material> clear = new osg::Material;
     clear->setDiffuse(osg::Material::FRONT_AND_BACK, osg::Vec4(1, 1, 1, 0.5f));
@@ -179,7 +184,7 @@ TEST(PassSettings, EveryPassHasThoseThatItsShaderReads)
     s.occlusionMethod = Settings::SLICE;
     s.visibility = Settings::VISIBILITY_AUTO;
     s.accumulate = true;
-    lit->removeChildren(farBox, 2);
+    lit->removeChildren(farBox, 3);
     renderer.render(lit.get(), 12);
 
     const Found found = settingsOf(lit->drawn, renderer.state());

@@ -181,6 +181,21 @@ TEST_F(SurfacePrograms, StayWhatTheyAreInFiles)
     EXPECT_LT(difference(draw(sceneOf(read)), draw(sceneOf(box(osg::Vec3d(0, 0, 1))))), rounding);
 }
 
+TEST_F(SurfacePrograms, ThatStandStillConverge)
+{
+    const osg::ref_ptr<osg::Geode> geode = moved(lifts, box());
+    geode->getOrCreateStateSet()->addUniform(new osg::Uniform("lift", 1.0f));
+    const osg::ref_ptr<LitScene> scene = sceneOf(geode);
+    scene->getSettings()->accumulate = true;
+    scene->getSettings()->accumulateLights = 16;
+    scene->getSettings()->accumulateSize = 32;
+    renderer.render(scene, 12);
+    EXPECT_GT(scene->average().frames, 2u);
+    geode->getStateSet()->getUniform("lift")->set(0.5f);
+    renderer.render(scene, 1);
+    EXPECT_EQ(0u, scene->average().frames);
+}
+
 // osgViewer changes those uniforms in every frame, and no state set has them.
 TEST_F(SurfacePrograms, ThatFollowTimeAreNeverStill)
 {

@@ -31,7 +31,7 @@ osg::ref_ptr<osg::Program> SurfaceProgram::create(const std::string& source)
         new osg::Shader(osg::Shader::VERTEX, hasVersion ? source : "#version 330 compatibility\n" + source);
     own->setName(movedVertices);
     const osg::ref_ptr<osg::Program> program = new osg::Program;
-    program->setName("osgEnvLight moved surface");
+    program->setName("osgEnvLight pass/movedsurface.frag");
     program->addShader(own);
     program->addShader(ours(osg::Shader::VERTEX, "pass/surface.vert"));
     program->addShader(ours(osg::Shader::FRAGMENT, "pass/movedsurface.frag"));
@@ -48,7 +48,7 @@ const osg::Shader* SurfaceProgram::vertexShaderOf(const osg::Program& program)
 osg::ref_ptr<osg::Program> casterProgram(const osg::Program& moving)
 {
     const osg::ref_ptr<osg::Program> program = new osg::Program;
-    program->setName("osgEnvLight moved caster");
+    program->setName("osgEnvLight pass/caster.frag");
     program->addShader(const_cast<osg::Shader*>(SurfaceProgram::vertexShaderOf(moving)));
     program->addShader(ours(osg::Shader::VERTEX, "pass/caster.vert"));
     program->addShader(ours(osg::Shader::FRAGMENT, "pass/caster.frag"));

@@ -7,6 +7,8 @@
 
 #include <osg/Texture>
 
+#include <cctype>
+
 namespace osgEnvLight
 {
 
@@ -15,12 +17,34 @@ namespace
 
 const osg::StateAttribute::OverrideValue kept = osg::StateAttribute::ON | osg::StateAttribute::PROTECTED;
 
-// What the application's function may read of the path: uniforms, defines, and textures of other units than the alpha's.
-void takeInputs(const MovingStates::Path& path, osg::StateSet& to)
+std::set<std::string> wordsOf(const std::string& text)
+{
+    std::set<std::string> words;
+    std::string word;
+    for (const char c : text + " ") {
+        if (std::isalnum(static_cast<unsigned char>(c)) || c == '_') {
+            word += c;
+        } else if (!word.empty()) {
+            words.insert(word);
+            word.clear();
+        }
+    }
+    return words;
+}
+
+// An element of an array goes by the array's name.
+bool reads(const std::set<std::string>& words, const std::string& uniform)
+{
+    return words.count(uniform.substr(0, uniform.find('['))) > 0;
+}
+
+void takeInputs(const MovingStates::Path& path, const std::set<std::string>& words, osg::StateSet& to)
 {
     for (const osg::StateSet* s : path) {
-        for (const auto& [name, uniform] : s->getUniformList()) to.addUniform(uniform.first.get(), kept);
-        for (const auto& [name, define] : s->getDefineList()) to.setDefine(name, define.first, kept);
+        for (const auto& [name, uniform] : s->getUniformList())
+            if (reads(words, name)) to.addUniform(uniform.first.get(), kept);
+        for (const auto& [name, define] : s->getDefineList())
+            if (words.count(name)) to.setDefine(name, define.first, kept);
         for (const auto& [type, attribute] : s->getAttributeList())
             if (type.first == osg::StateAttribute::UNIFORMBUFFERBINDING) to.setAttribute(attribute.first.get(), kept);
         for (unsigned unit = 1; unit < s->getNumTextureAttributeLists(); ++unit)
@@ -29,38 +53,54 @@ void takeInputs(const MovingStates::Path& path, osg::StateSet& to)
     }
 }
 
-bool sameInputs(const osg::StateSet& a, const osg::StateSet& b)
-{
-    return a.getUniformList() == b.getUniformList() && a.getDefineList() == b.getDefineList() &&
-           a.getAttributeList() == b.getAttributeList() && a.getTextureAttributeList() == b.getTextureAttributeList();
-}
-
 }  // namespace
 
 const MovingStates::Drawn& MovingStates::drawnBy(const osg::Program& moving)
 {
     const osg::Shader* shader = SurfaceProgram::vertexShaderOf(moving);
     Drawn& drawn = _drawn[shader];
-    if (!drawn.program) drawn = {casterProgram(moving), followsTime(*shader)};
+    if (!drawn.program) drawn = {casterProgram(moving), wordsOf(shader->getShaderSource()), followsTime(*shader)};
     return drawn;
+}
+
+MovingStates::Key MovingStates::keyOf(const osg::StateSet& inputs, const CasterState& state, const osg::Geometry& geometry)
+{
+    Key key;
+    std::vector<const void*>& objects = key.first;
+    for (const auto& [name, uniform] : inputs.getUniformList()) objects.push_back(uniform.first.get());
+    for (const auto& [type, attribute] : inputs.getAttributeList()) objects.push_back(attribute.first.get());
+    for (const auto& list : inputs.getTextureAttributeList())
+        for (const auto& [type, attribute] : list) objects.push_back(attribute.first.get());
+    for (const auto& [name, define] : inputs.getDefineList()) key.second += name + ' ' + define.first + '\n';
+    if (!state.perforated(geometry)) return key;
+    const auto [texture, matrix, alphaFunction, material, flags] = state.key(geometry);
+    for (const osg::StateAttribute* a : {texture, matrix, alphaFunction, material}) objects.push_back(a);
+    key.second += std::to_string(flags);
+    return key;
 }
 
 osg::ref_ptr<osg::StateSet> MovingStates::get(const Path& path, const CasterState& state, const osg::Geometry& geometry)
 {
-    osg::ref_ptr<osg::StateSet> wanted = new osg::StateSet;
-    if (state.perforated(geometry)) wanted = state.makeStateSet(geometry);
-    takeInputs(path, *wanted);
-    wanted->setAttribute(drawnBy(*state.movingProgram()).program, kept);
-    osg::ref_ptr<osg::StateSet>& known = _states[path];
-    if (!known || !sameInputs(*known, *wanted)) known = wanted;
+    const Drawn& drawn = drawnBy(*state.movingProgram());
+    osg::ref_ptr<osg::StateSet> inputs = new osg::StateSet;
+    takeInputs(path, drawn.words, *inputs);
+    inputs->setAttribute(drawn.program, kept);
+    osg::ref_ptr<osg::StateSet>& known = _states[keyOf(*inputs, state, geometry)];
+    if (known) return known;
+    known = inputs;
+    if (!state.perforated(geometry)) return known;
+    known = state.makeStateSet(geometry);
+    known->merge(*inputs);
     return known;
 }
 
 uint64_t MovingStates::change(const Path& path, const osg::Program& program, unsigned frame)
 {
-    uint64_t sum = drawnBy(program).followsTime ? frame : 0;
+    const Drawn& drawn = drawnBy(program);
+    uint64_t sum = drawn.followsTime ? frame : 0;
     for (const osg::StateSet* s : path)
-        for (const auto& [name, uniform] : s->getUniformList()) sum = 31 * sum + uniform.first->getModifiedCount();
+        for (const auto& [name, uniform] : s->getUniformList())
+            if (reads(drawn.words, name)) sum = 31 * sum + uniform.first->getModifiedCount();
     return sum;
 }
 

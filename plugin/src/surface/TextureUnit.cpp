@@ -66,6 +66,22 @@ TextureStage stageOf(const Combine& c, bool first)
     }
 }
 
+// A shadow map, as osgShadow has them.
+bool holdsDepth(const osg::Texture& t)
+{
+    if (t.getShadowComparison()) return true;
+    switch (t.getInternalFormat()) {
+        case GL_DEPTH_COMPONENT:
+        case GL_DEPTH_COMPONENT16:
+        case GL_DEPTH_COMPONENT24:
+        case GL_DEPTH_COMPONENT32:
+        case GL_DEPTH_COMPONENT32F:
+            return true;
+        default:
+            return false;
+    }
+}
+
 }  // namespace
 
 void TextureUnit::mergeMode(osg::StateAttribute::GLMode mode, osg::StateAttribute::GLModeValue value)
@@ -107,7 +123,8 @@ int TextureUnit::coordinates() const
 TextureStage TextureUnit::stage(bool first) const
 {
     if (!hasTexels()) return {};
-    if (texture.as<osg::Texture>()->getTextureTarget() != GL_TEXTURE_2D) return {STAGE_OTHER};
+    const auto& t = *texture.as<osg::Texture>();
+    if (t.getTextureTarget() != GL_TEXTURE_2D || holdsDepth(t)) return {STAGE_OTHER};
     if (!texEnv.attribute) return {STAGE_MODULATE};
     if (const auto* env = texEnv.as<osg::TexEnv>()) return stageOf(*env);
     const auto* combine = texEnv.as<Combine>();
