@@ -4,6 +4,7 @@
 
 #include <osgEnvLight/SurfaceProgram>
 
+#include <osg/AlphaFunc>
 #include <osg/Geometry>
 #include <osg/Material>
 #include <osg/Texture2D>
@@ -153,6 +154,36 @@ TEST_F(SurfacePrograms, BlendedOnesAreLitAfterTheComposite)
     const Picture found = renderer.render(scene, 3);
     EXPECT_EQ(1u, scene->plan().surfaces.litForward);
     EXPECT_LT(difference(found, renderer.render(sceneOf(glass(box(osg::Vec3d(0, 0, 1)))), 3)), 5 * rounding);
+}
+
+// Half of its texels are holes, for the eye and for light.
+TEST_F(SurfacePrograms, HolesAreHolesOfItsShadow)
+{
+    const auto perforated = [](osg::ref_ptr<osg::Geode> geode) {
+        const osg::ref_ptr<osg::Image> image = new osg::Image;
+        image->allocateImage(2, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE);
+        for (unsigned i = 0; i < 2; ++i)
+            *reinterpret_cast<osg::Vec4ub*>(image->data(i)) = osg::Vec4ub(255, 255, 255, i == 0 ? 0 : 255);
+        const osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
+        texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::NEAREST);
+        texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::NEAREST);
+        const osg::ref_ptr<osg::Vec2Array> st = new osg::Vec2Array;
+        for (const osg::Vec2& p : {osg::Vec2(0, 0), osg::Vec2(1, 0), osg::Vec2(1, 1), osg::Vec2(0, 1)}) st->push_back(p);
+        geode->getDrawable(0)->asGeometry()->setTexCoordArray(0, st);
+        geode->getOrCreateStateSet()->setTextureAttributeAndModes(0, texture);
+        geode->getStateSet()->setAttributeAndModes(new osg::AlphaFunc(osg::AlphaFunc::GREATER, 0.5f));
+        return geode;
+    };
+    const auto sheet = [](double z) {
+        const osg::ref_ptr<osg::Geode> geode = makeQuad(osg::Vec3d(-1, -1, z), osg::Vec3d(2, 0, 0), osg::Vec3d(0, 2, 0));
+        geode->getDrawable(0)->setInitialBound(osg::BoundingBox(-3, -3, -1, 3, 3, 3));
+        return geode;
+    };
+    const osg::ref_ptr<osg::Geode> own = perforated(moved(lifts, sheet(0.2)));
+    own->getStateSet()->addUniform(new osg::Uniform("lift", 0.8f));
+    const Picture found = draw(sceneOf(own));
+    EXPECT_LT(difference(found, draw(sceneOf(perforated(sheet(1.0))))), rounding);
+    EXPECT_GT(difference(found, draw(sceneOf(sheet(1.0)))), 0.01);
 }
 
 TEST_F(SurfacePrograms, WithoutTheNodeALampAtTheEyeLightsIt)

@@ -82,15 +82,14 @@ MovingStates::Key MovingStates::keyOf(const osg::StateSet& inputs, const CasterS
 osg::ref_ptr<osg::StateSet> MovingStates::get(const Path& path, const CasterState& state, const osg::Geometry& geometry)
 {
     const Drawn& drawn = drawnBy(*state.movingProgram());
-    osg::ref_ptr<osg::StateSet> inputs = new osg::StateSet;
-    takeInputs(path, drawn.words, *inputs);
-    inputs->setAttribute(drawn.program, kept);
+    const auto take = [&](osg::StateSet* s) {
+        takeInputs(path, drawn.words, *s);
+        s->setAttribute(drawn.program, kept);
+        return osg::ref_ptr<osg::StateSet>(s);
+    };
+    const osg::ref_ptr<osg::StateSet> inputs = take(new osg::StateSet);
     osg::ref_ptr<osg::StateSet>& known = _states[keyOf(*inputs, state, geometry)];
-    if (known) return known;
-    known = inputs;
-    if (!state.perforated(geometry)) return known;
-    known = state.makeStateSet(geometry);
-    known->merge(*inputs);
+    if (!known) known = state.perforated(geometry) ? take(state.makeStateSet(geometry)) : inputs;
     return known;
 }
 
