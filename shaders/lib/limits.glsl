@@ -43,8 +43,8 @@ const float MARK_NONE = 1.0;
 
 // In the emission's alpha, of the surface of an area light: what it sends is in the light's own terms. Else that is below .5, or 1.
 const float LIGHT_MARK = 0.75;
-// Its sign is negative where the application's fog is before the surface. No less than this is negated: what half floats round to 0 has no
-// sign.
+// It is negative where the application's fog lies before the surface. A half float that is rounded to 0 would lose the sign, so the alpha
+// of such a surface is at most minus this.
 const float LEAST_FOGGED = 1.0f / 16384.0f;
 
 // How the texture of a unit joins the colour below it: as TexEnv and the forms of TexEnvCombine that say the same.

@@ -7,9 +7,7 @@
 #include "pass/gbuffer.glsl"
 #ifdef HAS_FOG
 #include "pass/fog.glsl"
-#endif
 
-#ifdef HAS_FOG
 // What the fog leaves of the surface's light; 1 where the application's state has none.
 float pixelFogLeaves(sampler2D emissions, ivec2 p)
 {

@@ -84,9 +84,9 @@ void readSkyMaps(PassBuilder& b, FrameContext& c, const std::string& name, Shado
     b.shadowOrigin(maps.origin());
 }
 
-void readFog(PassBuilder& b, FrameContext& c)
+bool readFog(PassBuilder& b, FrameContext& c)
 {
-    if (c.fog.kind == 0) return;
+    if (c.fog.kind == 0) return false;
     osg::Vec3f radiance = c.fog.color;
     for (float& v : radiance._v) {
         const double linear = c.settings.materialColors == Settings::COLORS_SRGB ? glsl::typedDecode(double(v)) : double(v);
@@ -94,6 +94,7 @@ void readFog(PassBuilder& b, FrameContext& c)
     }
     b.define("HAS_FOG");
     b.frameUniforms(&c.frame.fogState(c.fog, radiance));
+    return true;
 }
 
 unsigned areaPointsOf(const Settings& settings)

@@ -55,8 +55,8 @@ bool readSunVisibility(PassBuilder& builder);
 void readSkyMaps(PassBuilder& builder, FrameContext& context, const std::string& name, ShadowAtlas& maps, ShadowAtlas* near);
 /** How many points area lights have together. */
 unsigned areaPointsOf(const Settings& settings);
-/** The fog, if what is lit has one. */
-void readFog(PassBuilder& builder, FrameContext& context);
+/** The fog. False if what is lit has none. */
+bool readFog(PassBuilder& builder, FrameContext& context);
 /** The area lights' points and their shadow maps. */
 void readEmitterPoints(PassBuilder& builder, const EmitterMaps& maps, osg::Texture2D* points);
 /** The application's lights' shadow maps, and where these stand. */

@@ -251,8 +251,7 @@ void ReflectionFilterPass::setup(PassBuilder& b, FrameContext& c)
         b.define("HAS_PROBES");
     else
         b.define("HAS_BOUNCE", b.read("bounce", "bounceMap"));
-    readFog(b, c);
-    if (c.fog.kind != 0) b.read(b.find("emission"), "emissionMap");
+    if (readFog(b, c)) b.read(b.find("emission"), "emissionMap");
     b.drawMarked(b.find("pixel marks"), c.still ? limits::MARK_GLOSSY : limits::MARK_TRACED);
     b.addLaterTo(b.find("radiance"));
     if (!c.still) return;

@@ -26,7 +26,7 @@ bool hasSurfaces(const osg::Geometry& geometry)
     return false;
 }
 
-// What the state sets above the node and its own say of all below it.
+// The state sets above the node, and its own.
 MovingStates::Path pathTo(osgUtil::CullVisitor& cv)
 {
     MovingStates::Path path;
@@ -36,6 +36,7 @@ MovingStates::Path pathTo(osgUtil::CullVisitor& cv)
     return path;
 }
 
+// What they say of all below the node.
 CasterState stateOf(const MovingStates::Path& path, SurfaceFacts* facts)
 {
     CasterState state(facts);
