@@ -185,6 +185,7 @@ TEST(Host, BadSettingsAreReportedOnceAndTheLastValidOnesStay)
 {
     SceneRenderer renderer(48, 48);
     osg::ref_ptr<LitScene> lit = makeLit(constantMap(1.0).get());
+    lit->getSettings()->regeneration = osgEnvLight::Settings::IMMEDIATE;
     lit->addChild(makeModel());
     const Picture before = renderer.render(lit, 2);
     NotifyCatcher notify;

@@ -62,6 +62,7 @@ class MaterialMaps : public testing::Test
     osg::Vec3d middle(const osg::ref_ptr<osg::Node>& node, int view)
     {
         osg::ref_ptr<LitScene> lit = makeLit(constantMap(1.0).get());
+        lit->getSettings()->regeneration = Settings::IMMEDIATE;
         lit->getSettings()->view = view;
         lit->addChild(node);
         return renderer.render(lit, 2).color(13, 18);

@@ -16,9 +16,11 @@ std::vector<SettingsProperty> SkyShadowSettings::properties()
         number("atlasLights", &S::atlasLights, 16, 1024, "lights",
                "lights of the map that have a shadow map, a sixteenth of them in each pixel; rounded up to a multiple of 16"),
         number("atlasSize", &S::atlasSize, 16, 512, "texels", "side of each shadow map of the atlas"),
-        number("atlasUpdatesPerFrame", &S::atlasUpdatesPerFrame, 1, 1024, "maps per frame",
-               "shadow maps of the sky, and as many of area lights, drawn again each frame while the scene, the map or the "
-               "lights change; with regeneration = immediate, all"),
+        number(
+            "atlasUpdatesPerFrame", &S::atlasUpdatesPerFrame, 1, 1024, "maps per frame",
+            "shadow maps of the sky, and as many of area lights, drawn again each frame while the scene, the map or the lights "
+            "change; the first frame draws a quarter of the sky's, which stand for all, and the next ones at least a sixteenth "
+            "each; with regeneration = immediate, all"),
     };
 }
 

@@ -14,9 +14,6 @@ namespace osgEnvLight
 namespace
 {
 
-// As many as a frame of a large model has: 256 maps of 40 000, drawn twice.
-const double firstFrameTriangles = 2e7;
-
 AtlasRefresh::States statesOf(PassBuilder& b, FrameContext& c, const MapShaders& shaders, const ShadowTargets& targets)
 {
     AtlasRefresh::States states;
@@ -51,12 +48,6 @@ AtlasRefresh::States statesOf(PassBuilder& b, FrameContext& c, const MapShaders&
 }
 
 }  // namespace
-
-bool drawsAllAtOnce(const Settings& settings, unsigned maps, bool known, size_t triangles)
-{
-    const bool fits = 2.0 * maps * double(triangles) <= firstFrameTriangles;
-    return settings.regeneration == Settings::IMMEDIATE || (!known && fits);
-}
 
 Requirement requireEmitterMaps(const FrameContext& c, Requirement lights)
 {
@@ -108,7 +99,8 @@ EmitterMaps& EmitterMapsOwner::update(FrameContext& c, const std::vector<Emitter
     }
     EmitterMaps& maps = *get();
     maps.setCasters(c.casters);
-    all = all || drawsAllAtOnce(c.settings, maps.points, maps.version() != 0, maps.triangles());
+    const bool fits = 2.0 * maps.points * double(maps.triangles()) <= firstFrameTriangles;
+    all = all || c.settings.regeneration == Settings::IMMEDIATE || (maps.version() == 0 && fits);
     refreshes = maps.update(points, all ? maps.points : unsigned(c.settings.atlasUpdatesPerFrame));
     if (!_points || _pointVersion != maps.version()) _points = tableTexture(maps.pointImage());
     _pointVersion = maps.version();

@@ -31,10 +31,9 @@ void drawMaps(PassBuilder& builder, FrameContext& context, const char* pass, con
               osg::Camera& camera, const ShadowTargets& targets, const std::vector<ShadowRefresh>& refreshes,
               std::vector<Caster>&& casters);
 
-/** Whether a frame draws all maps instead of a few: as settings.regeneration says, and the first frame unless the model is large.
- * @param known  whether an earlier frame has drawn any
- * @param triangles  in each map */
-bool drawsAllAtOnce(const Settings& settings, unsigned maps, bool known, size_t triangles);
+/** Triangles that the first frame of a view may draw into the maps of the sky, and into those of lamps: 64 maps of 156 000, each
+ * drawn twice. */
+constexpr double firstFrameTriangles = 2e7;
 
 /** The lights, unless nothing is to be seen of maps of their points. */
 Requirement requireEmitterMaps(const FrameContext& context, Requirement lights);

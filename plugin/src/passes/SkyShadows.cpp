@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "passes/SkyShadows.h"
 
+#include "base/Limits.h"
 #include "passes/Inputs.h"
 #include "shadow/VisibleBoxes.h"
 
@@ -15,9 +16,22 @@ namespace osgEnvLight
 namespace
 {
 
-bool drawsAllAtOnce(const FrameContext& c, const ShadowAtlas& maps)
+// Maps of a frame while lights lack theirs. The first has a quarter of them, less in a large model, but enough for each of the
+// groups: others take the flux of those that have none yet, so that it is a picture, and comes while all of them would still be
+// drawn. The rest follow in at least fifteen frames.
+unsigned mapsAtFirst(const ShadowAtlas& maps)
 {
-    return drawsAllAtOnce(c.settings, maps.lights, maps.version() != 0, maps.triangles());
+    const double affordable = firstFrameTriangles / (2.0 * std::max<double>(1.0, double(maps.triangles())));
+    const unsigned groups = limits::LIGHT_GROUPS;
+    if (maps.hasMap()) return unsigned(std::min(affordable / 4.0, maps.lights / 16.0));
+    return std::max(unsigned(std::min(affordable, maps.lights / 4.0)) / groups, 1u) * groups;
+}
+
+// @param budget  of maps that exist
+unsigned mapsOf(const FrameContext& c, const ShadowAtlas& maps, unsigned budget)
+{
+    if (c.settings.regeneration == Settings::IMMEDIATE) return maps.lights;
+    return maps.complete() ? budget : std::max(budget, mapsAtFirst(maps));
 }
 
 // Whether a view may show less of the scene than the largest cascade: the nearest that there may be is less wide in it.
@@ -105,13 +119,13 @@ void SkyShadows::update(FrameContext& c)
     // Where both atlases wait, they share.
     const auto budget = unsigned(c.settings.atlasUpdatesPerFrame);
     const unsigned share = near && near->waiting() > 0 ? (budget + 1) / 2 : budget;
-    const unsigned drawn = _all.update(c, list, drawsAllAtOnce(c, all) ? lights : share);
+    const unsigned drawn = _all.update(c, list, mapsOf(c, all, share));
     c.skyMaps = &all;
     c.waitingMaps = all.waiting();
     if (near) {
         near->setFocus(_cascade.sphere());
         near->setCasters(c.casters);
-        _near.update(c, list, drawsAllAtOnce(c, *near) ? lights : budget - std::min(drawn, budget));
+        _near.update(c, list, mapsOf(c, *near, budget - std::min(drawn, budget)));
         c.nearSkyMaps = near;
         c.waitingMaps += near->waiting();
     }

@@ -32,6 +32,26 @@ bool sameLights(const LightList& a, const LightList& b)
     });
 }
 
+// An order in which each beginning lies spread over the sphere, and every so many lights hold one of each group: the one of the
+// group that is farthest from those before it; those without flux last.
+std::vector<unsigned> spreadRanks(const LightList& list)
+{
+    std::vector<unsigned> rank(list.size(), unsigned(list.size()));
+    std::vector<double> nearness(list.size(), -2.0);  // largest cosine to those before it
+    for (unsigned next = 0; next < list.size(); ++next) {
+        unsigned best = unsigned(list.size());
+        const auto isBetter = [&](unsigned i) {
+            const bool shines = sumOf(list[i].flux) > 0.0, bestShines = sumOf(list[best].flux) > 0.0;
+            return shines != bestShines ? shines : nearness[i] < nearness[best];
+        };
+        for (unsigned i = next % groups; i < list.size(); i += groups)
+            if (rank[i] == list.size() && (best == list.size() || isBetter(i))) best = i;
+        rank[best] = next;
+        for (unsigned i = 0; i < list.size(); ++i) nearness[i] = std::max(nearness[i], list[i].direction * list[best].direction);
+    }
+    return rank;
+}
+
 void writeRow(osg::Image& image, unsigned light, unsigned row, const osg::Vec3d& v, double w)
 {
     writeTexel(image, light / groups, 4 * (light % groups) + row, v, w);
@@ -100,7 +120,7 @@ double ShadowAtlas::priority(const Map& map, const osg::Vec3d& flux) const
 {
     const double sum = sumOf(flux);
     if (!(sum > 0.0)) return 0.0;
-    if (!map.drawn) return 1e6 * sum;
+    if (!map.drawn) return 1e6 * sumOf(_list) * (lights - _rank[size_t(&map - _maps.data())]);
     if (map.former) return 1e3 * sum;
     return map.outdated ? sum * (1.0 + map.age) : 0.0;
 }
@@ -151,6 +171,7 @@ void ShadowAtlas::setLights(const LightList& list)
     }
     _list = list;
     _solidAngles = angles;
+    _rank = spreadRanks(list);
 }
 
 std::vector<ShadowRefresh> ShadowAtlas::update(const LightList& list, unsigned budget)
@@ -205,18 +226,42 @@ bool ShadowAtlas::showsAs(const ShadowAtlas& other, unsigned index) const
     return map.drawn && like.drawn && (map.along - like.along).length() <= movedLight;
 }
 
+bool ShadowAtlas::hasMap() const
+{
+    return std::any_of(_maps.begin(), _maps.end(), [](const Map& map) { return map.drawn; });
+}
+
+// By light, itself where it has a map or no light has one, else the nearest that has.
+std::vector<unsigned> ShadowAtlas::servingLights() const
+{
+    std::vector<unsigned> serving(lights);
+    std::iota(serving.begin(), serving.end(), 0u);
+    if (!hasMap()) return serving;
+    for (unsigned i = 0; i < lights; ++i) {
+        if (_maps[i].drawn) continue;
+        double largest = -2.0;
+        for (unsigned k = 0; k < lights; ++k) {
+            const double cosine = _list[i].direction * _maps[k].along;
+            if (_maps[k].drawn && cosine > largest) std::tie(largest, serving[i]) = std::tuple(cosine, k);
+        }
+    }
+    return serving;
+}
+
 osg::ref_ptr<osg::Image> ShadowAtlas::lightImage(double scale, const ShadowAtlas* finer) const
 {
     osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(int(lights / groups), int(4 * groups) * (finer ? 2 : 1), 1, GL_RGBA, GL_FLOAT);
     image->setInternalTextureFormat(GL_RGBA32F_ARB);
+    std::vector<osg::Vec4d> lit(lights);  // flux and solid angle
+    const std::vector<unsigned> serving = servingLights();
+    for (unsigned i = 0; i < lights; ++i)
+        lit[serving[i]] +=
+            _maps[i].drawn ? osg::Vec4d(_maps[i].flux, _maps[i].solidAngle) : osg::Vec4d(_list[i].flux, _solidAngles[i]);
     for (unsigned i = 0; i < lights; ++i) {
-        const Map& map = _maps[i];
         writePlace(*image, i, 0, _targets.origin);
-        if (map.drawn)
-            writeRow(*image, i, 3, map.flux * scale, std::max(map.solidAngle, 1e-6));
-        else
-            writeRow(*image, i, 3, _list[i].flux * scale, -std::max(_solidAngles[i], 1e-6));
+        const double angle = std::max(lit[i][3], 1e-6);
+        writeRow(*image, i, 3, osg::Vec3d(lit[i][0], lit[i][1], lit[i][2]) * scale, _maps[i].drawn ? angle : -angle);
         if (!finer) continue;
         finer->writePlace(*image, i, 4 * groups, _targets.origin);
         writeRow(*image, i, 67, osg::Vec3d(), finer->showsAs(*this, i) ? 1.0 : -1.0);
@@ -229,6 +274,7 @@ osg::ref_ptr<osg::Image> ShadowAtlas::nearestImage() const
     const int side = 32;  // 6 degrees: half of what 256 lights lie apart
     std::vector<osg::Vec3f> directions(lights);
     for (unsigned i = 0; i < lights; ++i) directions[i] = osg::Vec3f(_maps[i].drawn ? _maps[i].along : _list[i].direction);
+    const bool someHaveMaps = hasMap();
     osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(2 * side, side, 1, GL_RGBA_INTEGER_EXT, GL_UNSIGNED_INT);
     image->setInternalTextureFormat(GL_RGBA32UI_EXT);
@@ -238,7 +284,7 @@ osg::ref_ptr<osg::Image> ShadowAtlas::nearestImage() const
         for (int x = 0; x < side; ++x) {
             const glsl::vec3 d = glsl::directionFromOctahedral((glsl::vec2(x, y) + 0.5) / double(side));
             const osg::Vec3f direction(float(d.x), float(d.y), float(d.z));
-            for (unsigned i = 0; i < lights; ++i) cosine[i] = directions[i] * direction;
+            for (unsigned i = 0; i < lights; ++i) cosine[i] = _maps[i].drawn || !someHaveMaps ? directions[i] * direction : -2.0f;
             std::iota(order.begin(), order.end(), 0u);
             std::partial_sort(order.begin(), order.begin() + limits::NEAREST_LIGHTS, order.end(),
                               [&](unsigned a, unsigned b) { return cosine[a] > cosine[b]; });

@@ -32,7 +32,7 @@ class OSGENVLIGHT_EXPORT ShadowAtlas : public osg::Referenced
 
     /** What a frame draws.
      * @param list    O's lights, in the world; its order is the maps'
-     * @param budget  maps at most; lights without any come first, then flux and age decide */
+     * @param budget  maps at most; lights without any come first, as far apart as can be, then flux and age decide */
     std::vector<ShadowRefresh> update(const LightList& list, unsigned budget);
 
     /** Turn the maps by another angle, and shift them by another part of a texel, when they are next drawn. */
@@ -67,10 +67,13 @@ class OSGENVLIGHT_EXPORT ShadowAtlas : public osg::Referenced
 
     /** The largest side of a texel in the world. */
     double texel() const;
-    /** Whether all lights have a map, outdated or not. */
+    /** Whether any light has a map, outdated or not. */
+    bool hasMap() const;
+    /** Whether all lights have one. */
     bool complete() const;
 
-    /** Four rows a group: across, up and along in the map's texels and heights, flux [pass/atlas.glsl]; RGBA 32F.
+    /** Four rows a group: across, up and along in the map's texels and heights, flux [pass/atlas.glsl]; RGBA 32F. Where some
+     * lights have no map yet, the nearest one that has takes their flux.
      * @param finer  atlas of the same lights with a focus, of which as many rows follow; null: none */
     osg::ref_ptr<osg::Image> lightImage(double scale, const ShadowAtlas* finer) const;
 
@@ -104,6 +107,7 @@ class OSGENVLIGHT_EXPORT ShadowAtlas : public osg::Referenced
         double solidAngle = 0.0;
     };
     void setLights(const LightList& list);
+    std::vector<unsigned> servingLights() const;
     void fit(const std::vector<Caster>& casters);
     void place(Map& map, unsigned index, const osg::Vec3d& direction) const;
     void writePlace(osg::Image& image, unsigned index, unsigned firstRow, const osg::Vec3d& origin) const;
@@ -114,6 +118,7 @@ class OSGENVLIGHT_EXPORT ShadowAtlas : public osg::Referenced
     std::vector<Map> _maps;
     LightList _list;
     std::vector<double> _solidAngles;
+    std::vector<unsigned> _rank;  // of each light, by when its first map is drawn
     std::vector<Caster> _casters;
     StaticCasters _still;
     bool _moved = false;
