@@ -153,6 +153,15 @@ std::vector<Defines> reachableSets(const Defines& defines)
         if (!has(all, d)) frame.push_back(d);
     if (defines.size() < frame.size() + all.size()) return product(defines);
     std::vector<Defines> result = someSets(defines);
+    const Defines sides = {"ENVLIGHT_GBUFFER", "ENVLIGHT_LIT"};
+    if (has(frame, sides[0]) && has(frame, sides[1])) {
+        for (const std::string& side : sides)
+            for (const Defines& set : surfaceSets(all)) {
+                result.push_back(set);
+                result.back().push_back(side);
+            }
+        return result;
+    }
     for (const Defines& set : surfaceSets(all)) result.push_back(set);
     if (frame.empty()) return result;
     for (const Defines& set : product(frame))

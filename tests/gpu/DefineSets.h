@@ -16,7 +16,8 @@ std::vector<Defines> someSets(const Defines& defines);
 /** The sets that a frame may ask for, and few others.
  * A pass over the picture: all sets, with no lobe or all lobes; and someSets().
  * The G-buffer's program: each kind of surface with each texture mode, and none, one or all of the other defines; and someSets().
- * The program of transparent surfaces: both, and all sets of the frame's defines with two kinds of surface.*/
+ * The program of transparent surfaces: both, and all sets of the frame's defines with two kinds of surface.
+ * The program of surfaces that an application moves is one of these two: the surfaces of the first with the define of each.*/
 std::vector<Defines> reachableSets(const Defines& defines);
 
 /** As osg::Shader inserts them, behind #version. */
