@@ -20,6 +20,19 @@ vec2 hammersley(uint i, uint n)
     return vec2((float(i) + 0.5) / float(n), radicalInverse(i) + 0.5 / float(n));
 }
 
+// Point i of Sobol's sequence in two dimensions, in [0,1)^2. Each 2^m points that follow each other, from a multiple of that on, are a net:
+// one in each of the 2^m rectangles of an area that halves of the sides make [Kollig, Keller 2002].
+vec2 sobolPoint(uint i)
+{
+    uint other = 0u;
+    uint bit = 0x80000000u;
+    for (uint rest = i; rest != 0u; rest >>= 1u) {
+        if ((rest & 1u) == 1u) other ^= bit;
+        bit ^= bit >> 1u;
+    }
+    return vec2(radicalInverse(i), float(other >> 8u) / 16777216.0);
+}
+
 // Sample j of n in [0,1)^2. pixel: its number, 0 .. 15, in its 4x4 cell. The n points of a pixel are a lattice of low discrepancy. So are
 // the 16 n points of a cell: for n = 4 .. 32 their discrepancy is that of Hammersley's sets. With .618 in place of 3.618 it is not.
 vec2 cellPoint(int j, float pixel, int n)

@@ -3,10 +3,11 @@
 // First surface from a light: its depth and slope. Second surface: the depth of the nearest that is not the first. Alpha goes
 // out for the fixed-function alpha test.
 #extension GL_ARB_conservative_depth : enable
-#pragma import_defines(CASTER_ALPHA, CASTER_BLENDED, CASTER_FLOORS_FIRST, CASTER_PERSPECTIVE, CASTER_SECOND, NO_TEXTURE, TEXTURE_REPLACE, VERTEX_COLOR)
+#pragma import_defines(CASTER_ALPHA, CASTER_BLENDED, CASTER_FLOORS_FIRST, CASTER_PERSPECTIVE, CASTER_SECOND)
 
 #include "lib/emittermap.glsl"
 #include "lib/sequence.glsl"
+#include "pass/casteralpha.glsl"
 
 #ifdef CASTER_SECOND
 uniform sampler2D firstDepthMap;
@@ -14,41 +15,14 @@ uniform sampler2D firstDepthMap;
 #ifdef CASTER_PERSPECTIVE
 uniform float mapTexel;  // its width at distance 1
 #endif
-#if defined(CASTER_ALPHA) && !defined(NO_TEXTURE)
-uniform sampler2D baseColorMap;
-#endif
 #ifdef CASTER_BLENDED
 uniform ivec2 atlasMapIndex;
 #endif
-
-in vec4 vertexColor;
-in vec2 textureCoordinate;
 
 #if defined(CASTER_FLOORS_FIRST) && defined(GL_ARB_conservative_depth)
 layout(depth_greater) out float gl_FragDepth;
 #endif
 layout(location = 0) out vec4 surface; // slope, negative for sheets: leaves, grilles and what shows its back; second: 1 if that; the slope's turn
-
-float casterAlpha()
-{
-#ifdef CASTER_ALPHA
-    float alpha = gl_FrontMaterial.diffuse.a;
-#ifdef VERTEX_COLOR
-    alpha = vertexColor.a;
-#endif
-#ifndef NO_TEXTURE
-    float texel = texture(baseColorMap, textureCoordinate).a;
-#ifdef TEXTURE_REPLACE
-    alpha = texel;
-#else
-    alpha *= texel;
-#endif
-#endif
-    return alpha;
-#else
-    return 1.0;
-#endif
-}
 
 void main()
 {

@@ -1,10 +1,14 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// What casts shadows, into a map of the sky shadow atlas.
-#pragma import_defines(MOVES_VERTICES, CASTER_ALPHA, NO_TEXTURE)
+// What casts shadows, into a shadow map; or what reflects light, into a reflective one.
+#pragma import_defines(MOVES_VERTICES, CASTER_ALPHA, CASTER_REFLECTS, NO_TEXTURE)
 
 out vec4 vertexColor;
 out vec2 textureCoordinate;
+#ifdef CASTER_REFLECTS
+out vec3 casterPlace;  // about the maps' origin
+out vec3 casterNormal;
+#endif
 
 #ifdef MOVES_VERTICES
 void envlightVertex(inout vec4 vertex, inout vec3 normal);  // of the application's
@@ -24,5 +28,9 @@ void main()
     gl_Position = gl_ModelViewProjectionMatrix * vertex;
 #else
     gl_Position = ftransform();
+#endif
+#ifdef CASTER_REFLECTS
+    casterPlace = vec3(gl_ModelViewMatrix * gl_Vertex);
+    casterNormal = gl_NormalMatrix * gl_Normal;
 #endif
 }

@@ -3,9 +3,16 @@
 // What other surfaces send to a pixel of a still view: rays in directions that a Lambert surface weighs alike, and what they meet
 // [final gathering: Reichert 1992; Jensen, Realistic Image Synthesis Using Photon Mapping, 2001, 8.4]. Each frame takes other
 // directions.
+#pragma import_defines(HAS_CAUSTICS)
+
 #include "pass/pathlight.glsl"
 
 uniform int accumulateRays;
+#ifdef HAS_CAUSTICS
+uniform int reflectedLights;  // for which virtual lights stand
+#else
+const int reflectedLights = 0;
+#endif
 
 // Radiance that a white surface would send on.
 layout(location = 0) out vec4 rayLight;
@@ -22,7 +29,7 @@ vec3 lightAlong(vec3 origin, vec3 along, uint pixel, uint ray)
 {
     SceneHit met = nextHit(origin, along);
     if (met.distance == MISSED) return vec3(0.0);
-    return tracedEmission(met) / radianceScale + pathLight(pathSurface(met, origin, along), GATHER_BLUR, pixel, ray);
+    return tracedEmission(met) / radianceScale + pathLight(pathSurface(met, origin, along), GATHER_BLUR, reflectedLights, pixel, ray);
 }
 
 void main()

@@ -2,10 +2,17 @@
 // SPDX-License-Identifier: MIT
 // The 16 pixels of a cell send rays in different directions. What surfaces send changes little within a cell, so each pixel of a still
 // view takes the mean over a cell about it, where that is one surface. The first frames are noisy: they take the mean over 2x2 cells.
+#pragma import_defines(HAS_CAUSTICS)
+
 #include "lib/bilateral.glsl"
+#include "lib/limits.glsl"
 #include "pass/gbuffer.glsl"
 
 uniform sampler2D rayLightMap;
+#ifdef HAS_CAUSTICS
+uniform sampler2D causticMap;  // of the first frame, mean over the groups of virtual lights
+uniform float radianceScale;
+#endif
 uniform float sampleFrames;  // in the average, with this one
 
 layout(location = 0) out vec4 gathered;
@@ -33,4 +40,7 @@ void main()
             sum += w * vec4(texelFetch(rayLightMap, q, 0).rgb, 1.0);
         }
     gathered = sum / sum.a;
+#ifdef HAS_CAUSTICS
+    gathered.rgb += radianceScale * float(LIGHT_GROUPS) * texelFetch(causticMap, p, 0).rgb;
+#endif
 }

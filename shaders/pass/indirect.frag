@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // The light that a pixel gets from other surfaces, as the radiance that a white surface would send on of it. Where the pixel has a lobe,
 // also their radiance about the mirror direction. In units of the map's mean.
-#pragma import_defines(HAS_LOBES, HAS_BOUNCE)
+#pragma import_defines(HAS_LOBES, HAS_BOUNCE, HAS_CAUSTICS)
 
 #include "pass/gbuffer.glsl"
 #include "pass/probegrid.glsl"
@@ -11,6 +11,9 @@
 #include "pass/meanradiance.glsl"
 #endif
 
+#ifdef HAS_CAUSTICS
+uniform sampler2D causticMap;  // mean over the groups of virtual lights
+#endif
 uniform mat4 atlasFromEye;  // to the probes' origin
 uniform float probeShare;  // the rest is the mean radiance of what blocks light: the former answer goes over into this one
 
@@ -31,6 +34,9 @@ void main()
     vec3 about = receivedFrom(sentAbout(cage, normal), hidden);
 #ifdef HAS_BOUNCE
     about = mix(hidden * meanRadiance(n) / radianceScale, about, probeShare);
+#endif
+#ifdef HAS_CAUSTICS
+    about += float(LIGHT_GROUPS) * texelFetch(causticMap, p, 0).rgb;
 #endif
     received = vec4(about, 1.0);
 #ifdef HAS_LOBES

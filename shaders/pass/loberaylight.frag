@@ -24,5 +24,5 @@ void main()
     PathSurface s = PathSurface(place.xyz, directionFromOctahedral(unpackUnorm2x16(code.x)),
                                 -directionFromOctahedral(unpackUnorm2x16(code.y)), layers);
     vec4 weight = texelFetch(rayWeightMap, p, 0);
-    light = vec4(radianceScale * weight.rgb * pathLight(s, weight.a, rayPixel(p), 0x20000000u + uint(sampleFrames)), 1.0);
+    light = vec4(radianceScale * weight.rgb * pathLight(s, weight.a, 0, rayPixel(p), 0x20000000u + uint(sampleFrames)), 1.0);
 }

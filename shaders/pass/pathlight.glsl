@@ -65,12 +65,21 @@ PathLobe pathLobe(PathSurface s, float blur)
     return l;
 }
 
+// Lights of which polished metal on the path sends nothing, as receive() numbers them: virtual lights stand for that.
+int leftOutLights = 0;
+
+bool isPolished(TracedLayers layers)
+{
+    return max(layers.glossy.r, max(layers.glossy.g, layers.glossy.b)) >= LEAST_POLISHED && layers.roughness <= MOST_POLISHED_ROUGHNESS;
+}
+
 // That sentShare() asks about. Diffuse layers ask, too, and leave the answer.
 PathLobe lampLobe = PathLobe(mat3(1.0), vec3(0.0, 0.0, 1.0), vec3(0.0), 1.0, 1.0);
 
 // pi times the lobe's value, without Fresnel.
-float sentShare(vec3 l, vec3 place, vec3 n)
+float sentShare(vec3 l, vec3 place, vec3 n, int number)
 {
+    if ((leftOutLights >> number & 1) == 1) return 0.0;
     return PI * ggxBrdf(lampLobe.view, l * lampLobe.placesFromLocal, lampLobe.lampAlpha);
 }
 
@@ -126,7 +135,7 @@ vec3 lampsInLobe(PathSurface s, vec3 origin, PathLobe lobe)
         vec3 l = placesFromMap * sunDirection[i];
         if (dot(l, s.normal) <= 0.0) continue;
         float e = discIrradianceOverPi(dot(l, s.normal), sunRadius[i]);
-        if (nextHit(origin, l).distance == MISSED) sum += e * sentShare(l, s.place, s.normal) * sunRadiance[i];
+        if (nextHit(origin, l).distance == MISSED) sum += e * sentShare(l, s.place, s.normal, FIRST_SUN + i) * sunRadiance[i];
     }
 #endif
     return sum * fresnelSchlick(lobe.f0, lobe.view.z);
@@ -149,8 +158,9 @@ float brightness(vec3 c)
 }
 
 // The light that surface s sends back along the path, without its own emission, in units of the map's mean. blur: as in pathLobe().
-// pixel, ray: numbers that no other ray has.
-vec3 pathLight(PathSurface s, float blur, uint pixel, uint ray)
+// virtualLights: those of which the pixel receives from virtual lights what s reflects if it is polished metal. pixel, ray: numbers that no
+// other ray has.
+vec3 pathLight(PathSurface s, float blur, int virtualLights, uint pixel, uint ray)
 {
     vec3 sum = vec3(0.0);
     vec3 reflected = vec3(1.0);
@@ -165,7 +175,9 @@ vec3 pathLight(PathSurface s, float blur, uint pixel, uint ray)
         float density = 0.0;
         if (isLobe) {
             PathLobe lobe = pathLobe(s, blur);
+            leftOutLights = i == 0 && isPolished(s.layers) ? virtualLights : 0;
             sum += reflected / chance * lampsInLobe(s, origin, lobe);
+            leftOutLights = 0;
             vec3 h = ggxVisibleNormalSample(lobe.view, lobe.alpha, u);
             vec3 l = 2.0 * dot(lobe.view, h) * h - lobe.view;
             l.z = abs(l.z);  // facets reflect again what others send down to them

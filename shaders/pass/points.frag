@@ -6,14 +6,19 @@
 // surfaces receive only a share: that of the directions in which they hide the map. A mirror sends each light in one direction. Only the
 // lights for which a surface lies there count. The colour is their irradiance over pi, divided by the share; other surfaces then receive
 // all of it. Alpha is the same factor for the light that surfaces send to the point.
-#pragma import_defines(MAP_IS_BLACK, HAS_SUN_MAPS, HAS_AREA_LIGHTS, HAS_SCENE_LIGHT_MAPS, HAS_GLOSS)
+// Where virtual lights stand for what polished metal reflects of a sun or lamp, points on it do not send that, too; all points receive it.
+#pragma import_defines(MAP_IS_BLACK, HAS_SUN_MAPS, HAS_AREA_LIGHTS, HAS_SCENE_LIGHT_MAPS, HAS_GLOSS, HAS_CAUSTICS)
 
 #include "lib/constants.glsl"
 #include "lib/limits.glsl"
+#include "lib/sequence.glsl"
 #include "pass/atlas.glsl"
 #include "pass/receivedlight.glsl"
 #ifdef HAS_SUN_MAPS
 #include "pass/sunshadow.glsl"
+#endif
+#ifdef HAS_CAUSTICS
+#include "pass/virtuallights.glsl"
 #endif
 #if defined(HAS_SUN_MAPS) || defined(HAS_SCENE_LIGHT_MAPS)
 #define HAS_SMALL_LIGHTS
@@ -27,6 +32,11 @@ uniform int pointTurn;       // which one
 #ifdef HAS_SUN_MAPS
 uniform vec3 pointsInSunMaps;
 uniform float pointLift;  // off their surfaces, which these maps show more finely
+#endif
+#ifdef HAS_CAUSTICS
+uniform sampler2D pointGlossyMap;  // alpha: 1 if virtual lights stand for what it reflects
+uniform int reflectedLights;       // bits: of suns and the application's lights, as receive() numbers them
+uniform float pointWidth;          // half of what lies between points
 #endif
 #ifdef HAS_SMALL_LIGHTS
 uniform sampler2D partPlaceMap;
@@ -55,10 +65,26 @@ float mirrorMeets(vec3 l, float hidden, vec3 place, vec3 n)
 #endif
 }
 
-float sentShare(vec3 l, vec3 place, vec3 n)
+float sentShare(vec3 l, vec3 place, vec3 n, int number)
 {
+#ifdef HAS_CAUSTICS
+    bool isVirtual = (reflectedLights >> number & 1) == 1 && texelFetch(pointGlossyMap, ivec2(gl_FragCoord.xy), 0).a > 0.5;
+    if (isVirtual) return 0.0;
+#endif
     return mirrorMeets(l, 0.0, place, n);
 }
+
+#ifdef HAS_CAUSTICS
+// Of a sixteenth of them, others at each neighbour.
+vec3 fromVirtualLights(ivec2 p, vec3 place, vec3 n)
+{
+    int count = textureSize(virtualLightMap, 0).x / 16;
+    int group = bayer4(p.x, p.y);
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < count; ++i) sum += fromVirtualLight(group * count + i, place, n, pointWidth);
+    return 16.0 * sum;
+}
+#endif
 
 #ifdef HAS_SUN_MAPS
 // Each part traces its own point of a sun's disc.
@@ -68,7 +94,7 @@ void receiveSuns(vec3 place, vec3 n, int part, inout ReceivedLight sum)
     for (int i = 0; i < sunCount; ++i) {
         vec3 l = sunAxes[3 * i + 2];
         float e = discIrradianceOverPi(dot(n, l), sunRadius[i]);
-        if (e > 0.0) receive(e * sunSeen(i, s, 1).x * sunRadiance[i], l, place, n, sum);
+        if (e > 0.0) receive(e * sunSeen(i, s, 1).x * sunRadiance[i], l, place, n, FIRST_SUN + i, sum);
     }
 }
 #endif
@@ -127,6 +153,9 @@ void main()
 #endif
 #ifdef HAS_AREA_LIGHTS
     receiveAreaLights(place, n, sum);
+#endif
+#ifdef HAS_CAUSTICS
+    sum.all += fromVirtualLights(p, place, n);
 #endif
     light = vec4(sum.all, all > 0.0 ? seen / all : 1.0);
 #ifdef HAS_GLOSS

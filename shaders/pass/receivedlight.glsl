@@ -4,6 +4,7 @@
 #define RECEIVEDLIGHT_GLSL
 #pragma import_defines(HAS_AREA_LIGHTS, HAS_SCENE_LIGHT_MAPS)
 
+#include "lib/limits.glsl"
 #if defined(HAS_AREA_LIGHTS) || defined(HAS_SCENE_LIGHT_MAPS)
 #include "pass/pointmap.glsl"
 #endif
@@ -26,13 +27,15 @@ struct ReceivedLight {
     vec3 sentOn;  // of each light the share that sentShare() says
 };
 
-// The share of light from direction l that a lobe there sends where it counts.
-float sentShare(vec3 l, vec3 place, vec3 n);
+// The share of light from direction l that a lobe there sends where it counts. number: of the sun or of the application's light, or NO_NUMBER.
+const int FIRST_SUN = MOST_SCENE_LIGHTS;
+const int NO_NUMBER = FIRST_SUN + MOST_SUNS;
+float sentShare(vec3 l, vec3 place, vec3 n, int number);
 
-void receive(vec3 e, vec3 l, vec3 place, vec3 n, inout ReceivedLight sum)
+void receive(vec3 e, vec3 l, vec3 place, vec3 n, int number, inout ReceivedLight sum)
 {
     sum.all += e;
-    sum.sentOn += e * sentShare(l, place, n);
+    sum.sentOn += e * sentShare(l, place, n, number);
 }
 
 #ifdef HAS_AREA_LIGHTS
@@ -49,7 +52,7 @@ void receiveAreaLights(vec3 place, vec3 n, inout ReceivedLight sum)
         if (kernel <= 0.0) continue;
         float sees = emitterSees(e, place + placesInEmitterMaps, n);  // negative: not known, and counts as seen for the mirror
         sums = withPoint(sums, kernel * e.power, sees);
-        receive(abs(sees) * kernel * e.power, normalize(to), place, n, seen);
+        receive(abs(sees) * kernel * e.power, normalize(to), place, n, NO_NUMBER, seen);
     }
     vec3 received = seenLight(sums) / radianceScale;
     sum.all += received;
@@ -68,7 +71,7 @@ void receiveSceneLights(vec3 place, vec3 n, inout ReceivedLight sum)
         float c = dot(eyeNormal, direction);
         if (c <= 0.0) continue;
         vec3 e = c * sceneLightSeen(i, place + placesInSceneLightMaps, n) / radianceScale * light;
-        receive(e, direction * mat3(eyeFromPlaces), place, n, sum);
+        receive(e, direction * mat3(eyeFromPlaces), place, n, i, sum);
     }
 }
 #endif

@@ -3,7 +3,7 @@
 // rows are filtered, then columns of the result: on one surface that is the mean of the whole box.
 #ifndef SUMSFILTER_GLSL
 #define SUMSFILTER_GLSL
-#pragma import_defines(COMBINE_SUBTRACT)
+#pragma import_defines(COMBINE_SUBTRACT, COMBINE_SUM)
 
 #include "lib/bilateral.glsl"
 #include "pass/gbuffer.glsl"
@@ -37,7 +37,7 @@ LightSums filteredSums(ivec2 p, ivec2 direction, SumsPlace place)
         mean.den += w * s.den;
         share += w;
     } while (++i <= halfWidth);
-#ifdef COMBINE_SUBTRACT
+#if defined(COMBINE_SUBTRACT) || defined(COMBINE_SUM)
     mean = LightSums(mean.num / share, mean.den / share);
 #endif
     return mean;

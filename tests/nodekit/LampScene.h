@@ -52,7 +52,8 @@ inline std::string reasonOf(const LitScene& lit, const char* pass)
 class LampScene : public testing::Test
 {
   protected:
-    LampScene() : lit(makeLit(constantMap(0.0).get())), root(new osg::Group)
+    /** @param side  of the picture [pixels] */
+    explicit LampScene(int side = size) : renderer(side, side), lit(makeLit(constantMap(0.0).get())), root(new osg::Group)
     {
         root->addChild(lit);
         lit->addChild(makeScreen());
@@ -70,7 +71,7 @@ class LampScene : public testing::Test
         return osg::Vec3d((x + 0.5 - size / 2) * scale, 0.0, (y + 0.5 - size / 2) * scale);
     }
 
-    SceneRenderer renderer{size, size};
+    SceneRenderer renderer;
     osg::ref_ptr<LitScene> lit;
     osg::ref_ptr<osg::Group> root;
 };

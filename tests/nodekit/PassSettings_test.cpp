@@ -127,6 +127,7 @@ osg::ref_ptr<WatchedScene> makeScene()
     osg::ref_ptr<WatchedScene> lit = new WatchedScene;
     Settings& s = *lit->getSettings();
     s.regeneration = Settings::IMMEDIATE;
+    s.caustics = Settings::CAUSTICS_ON;
     s.sceneLights = Settings::SCENE_LIGHTS_ON;  // the viewer's
     s.atlasLights = s.accumulateLights = 16;
     s.atlasSize = s.accumulateSize = 16;
@@ -157,10 +158,11 @@ osg::ref_ptr<WatchedScene> makeScene()
     return lit;
 }
 
-// Not in a state graph: what the shadow maps draw with, and the bounces.
+// Not in a state graph: what the shadow maps draw with, the bounces and the maps of what is reflected.
 const Names ofShadowMaps = {"pass/caster.frag", "pass/caster.vert", "pass/emittermap.frag", "pass/midpoint.frag",
                             "pass/sunmap.frag"};
-const Names ofBounces = {"pass/pointradiance.frag", "pass/probeharmonics.frag", "pass/probes.frag", "pass/surfacecells.frag"};
+const Names ofBounces = {"pass/reflectivemap.frag", "pass/pointradiance.frag", "pass/probeharmonics.frag", "pass/probes.frag",
+                         "pass/surfacecells.frag"};
 
 }  // namespace
 

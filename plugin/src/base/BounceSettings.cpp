@@ -16,6 +16,14 @@ std::vector<SettingsProperty> BounceSettings::properties()
                "seen by probes about each pixel"),
         number("bounceProbes", &S::bounceProbes, 4, 32, "probes",
                "of bounce=probes: along the longer sides of the scene, half as many along the shortest"),
+        choice(
+            "caustics", &S::caustics, {"off", "auto", "on"},
+            "of bounce=probes: polished metal throws suns and lamps onto other surfaces, by virtual lights; else it sends their "
+            "light on as evenly as other surfaces do; auto: where at least a thirty-second of all surfaces is of such metal"),
+        number("causticLights", &S::causticLights, 16, 4096, "lights",
+               "virtual lights of all metal together, a sixteenth of them in each pixel; rounded up to a multiple of 16"),
+        number("causticMapSize", &S::causticMapSize, 32, 1024, "texels",
+               "side of the map by which they are chosen, for each sun or lamp; rounded up to a power of two"),
     };
 }
 

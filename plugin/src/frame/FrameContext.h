@@ -27,6 +27,7 @@ namespace osgEnvLight
 {
 
 class DepthProbe;
+struct Caustics;
 
 /** One frame of one view, while it is culled: what the host gives, what the scene needs, and what passes have found for those
  * after them. */
@@ -62,13 +63,14 @@ struct FrameContext {
     Decisions decisions = {};
 
     // Set in update(), by the passes that own them.
-    ShadowAtlas* skyMaps = nullptr;           // of the map's lights; null: there is no atlas
-    ShadowAtlas* nearSkyMaps = nullptr;       // of the same lights, about the view; null: skyMaps are fine enough
-    DepthProbe* probe = nullptr;              // is to measure in this frame what the view shows
-    unsigned waitingMaps = 0;                 // of the sky, to be drawn in later frames
-    IndirectLight* indirect = nullptr;        // by probes; null: there are none
-    unsigned waitingBounces = 0;              // further frames would change what surfaces send each other
-    EmitterMaps* emitterMaps = nullptr;       // of the area lights' points; null: nothing hides them
+    ShadowAtlas* skyMaps = nullptr;      // of the map's lights; null: there is no atlas
+    ShadowAtlas* nearSkyMaps = nullptr;  // of the same lights, about the view; null: skyMaps are fine enough
+    DepthProbe* probe = nullptr;         // is to measure in this frame what the view shows
+    unsigned waitingMaps = 0;            // of the sky, to be drawn in later frames
+    IndirectLight* indirect = nullptr;   // by probes; null: there are none
+    const Caustics* caustics = nullptr;  // what polished metal reflects of suns and lamps; null: there is nothing of that kind
+    unsigned waitingBounces = 0;         // further frames would change what surfaces send each other
+    EmitterMaps* emitterMaps = nullptr;  // of the area lights' points; null: nothing hides them
     osg::Texture2D* emitterPoints = nullptr;  // EmitterMaps::pointImage()
     EmitterMaps* sceneLightMaps = nullptr;    // of the application's lights; null: nothing hides them
     osg::Texture2D* sceneLightPoints = nullptr;

@@ -2,6 +2,7 @@
 #include "frame/FrameResources.h"
 
 #include "base/R2Points.h"
+#include "indirect/ReflectiveMaps.h"
 
 #include <utility>
 
@@ -145,6 +146,13 @@ osg::StateSet& FrameResources::pointState(int rows, int turn, const osg::Vec3d& 
     _pointState->getUniform("pointsInSunMaps")->set(osg::Vec3(inSunMaps));
     _pointState->getUniform("pointLift")->set(float(lift));
     return *_pointState;
+}
+
+osg::StateSet& FrameResources::causticState(const Caustics& caustics)
+{
+    if (!_causticState) _causticState = new osg::StateSet;
+    caustics.setUniforms(*_causticState);
+    return *_causticState;
 }
 
 osg::StateSet& FrameResources::probeState(double share)

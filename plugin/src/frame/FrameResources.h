@@ -26,6 +26,8 @@
 namespace osgEnvLight
 {
 
+struct Caustics;
+
 /** What one CullVisitor fills and one draw traversal reads: a SceneView is never culled while it is drawn, so it needs no
  * lock. The uniforms' values belong to it for the same reason.*/
 class OSGENVLIGHT_EXPORT FrameResources : public osg::Referenced
@@ -78,6 +80,8 @@ class OSGENVLIGHT_EXPORT FrameResources : public osg::Referenced
     /** Uniforms of pass/points.frag: which rows are due, where the points' origin lies about that of the suns' maps, how far off
      * its surface a point asks them. */
     osg::StateSet& pointState(int rows, int turn, const osg::Vec3d& inSunMaps, double lift);
+    /** Uniforms of what reads the virtual lights, and of what they are made from. */
+    osg::StateSet& causticState(const Caustics& caustics);
     /** Uniforms of pass/indirect.frag. */
     osg::StateSet& probeState(double share);
     /** Uniforms of pass/fog.glsl. radiance: of the fog, as what is typed is shown. */
@@ -109,6 +113,7 @@ class OSGENVLIGHT_EXPORT FrameResources : public osg::Referenced
     std::map<std::string, osg::ref_ptr<osg::StateSet>> _atlasStates;
     std::map<std::string, osg::ref_ptr<osg::StateSet>> _placeStates;
     osg::ref_ptr<osg::StateSet> _pointState;
+    osg::ref_ptr<osg::StateSet> _causticState;
     osg::ref_ptr<osg::StateSet> _probeState;
     osg::ref_ptr<osg::StateSet> _fogState;
     osg::ref_ptr<osg::StateSet> _sceneLightState;

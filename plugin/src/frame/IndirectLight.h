@@ -16,6 +16,7 @@ struct IndirectLight {
     osg::ref_ptr<osg::Texture2D> glossy;         // what their lobes reflect; null: none has one
     osg::ref_ptr<osg::Texture2D> emissions;      // null: none emits
     osg::ref_ptr<osg::Texture2D> surfaceColors;  // SceneRays::colors(); null: no rays meet the scene
+    double polishedShare = 0.0;  // of the surfaces, that are of polished metal
     TransportTargets targets;
     double mostReflected = 1.0;  // by any surface, of what it receives
 

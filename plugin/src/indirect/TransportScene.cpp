@@ -34,6 +34,10 @@ TransportScene::TransportScene(const TracedScene& scene, const osg::Vec3d& place
     const auto partsPerPoint = unsigned(partSide * partSide);
     const std::vector<SurfacePart> parts = placeSurfaceParts(scene, points, nearest, partsPerPoint);
     if (traced && triangles <= SceneRays::mostTriangles) rays = new SceneRays(scene, bvh, parts, partsPerPoint);
+    double area = 0.0;
+    for (size_t i = 0; i < triangles; ++i)
+        if (const double a = scene.area(i); std::isfinite(a)) area += a;
+    pointSpacing = std::sqrt(area / double(points.size()));
     writeParts(parts);
     writePoints(points);
     writeProbes(grid);
@@ -114,7 +118,8 @@ void TransportScene::writeProbes(const ProbeGrid& grid)
 osg::ref_ptr<osg::Texture2D> TransportScene::ofPoints(const StaticCasters::Parts& parts, osg::Vec3f SentLight::*member) const
 {
     Texels texels(pointSide, pointSide, 4);
-    for (size_t i = 0; i < _surfaceOf.size(); ++i) texels.put(int(i), parts[_surfaceOf[i]].sent.*member, 1.0f);
+    for (size_t i = 0; i < _surfaceOf.size(); ++i)
+        texels.put(int(i), parts[_surfaceOf[i]].sent.*member, isPolished(parts[_surfaceOf[i]].sent) ? 1.0f : 0.0f);
     return texels.texture(GL_RGBA32F_ARB);
 }
 
@@ -128,6 +133,12 @@ osg::ref_ptr<osg::Texture2D> TransportScene::ofSome(const StaticCasters::Parts& 
 osg::ref_ptr<osg::Texture2D> TransportScene::diffuse(const StaticCasters::Parts& parts) const
 {
     return ofPoints(parts, &SentLight::diffuse);
+}
+
+double TransportScene::polishedShare(const StaticCasters::Parts& parts) const
+{
+    const auto count = std::count_if(_surfaceOf.begin(), _surfaceOf.end(), [&](unsigned s) { return isPolished(parts[s].sent); });
+    return _surfaceOf.empty() ? 0.0 : double(count) / double(_surfaceOf.size());
 }
 
 osg::ref_ptr<osg::Texture2D> TransportScene::glossy(const StaticCasters::Parts& parts) const

@@ -29,6 +29,7 @@ class OSGENVLIGHT_EXPORT TransportScene : public osg::Referenced
 
     const osg::Vec3d origin;
     const size_t triangles;
+    double pointSpacing = 0.0;   // side of the square that a surface point stands for
     std::array<int, 3> count{};  // probes along each axis
     int columns = 0;             // probes side by side in the textures of probes
 
@@ -52,8 +53,11 @@ class OSGENVLIGHT_EXPORT TransportScene : public osg::Referenced
     /** The above as pass/probegrid.glsl takes it. */
     osg::ref_ptr<osg::StateSet> uniforms;
 
-    /** What the points send on, texels as pointPlaces. parts: those that the scene was made from, as they are now. */
+    /** What the points send on, texels as pointPlaces; alpha is 1 where the surface is isPolished(). parts: those that the scene
+     * was made from, as they are now. */
     osg::ref_ptr<osg::Texture2D> diffuse(const StaticCasters::Parts& parts) const;
+    /** Of the points' surfaces the share that isPolished(). */
+    double polishedShare(const StaticCasters::Parts& parts) const;
     /** Null: nothing is glossy. */
     osg::ref_ptr<osg::Texture2D> glossy(const StaticCasters::Parts& parts) const;
     /** Null: nothing emits. */

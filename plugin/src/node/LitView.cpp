@@ -2,6 +2,7 @@
 #include "node/LitView.h"
 
 #include "passes/AreaLights.h"
+#include "passes/Caustics.h"
 #include "passes/Gather.h"
 #include "passes/Indirect.h"
 #include "passes/Lighting.h"
@@ -37,6 +38,8 @@ LitView::LitView(Failure* failure, RetiredObjects* retired, SurfaceSorter* sorte
     graph.add(new StillView(failure, retired));
     graph.add(new Suns);
     graph.add(new SunMaps(failure, retired));
+    graph.add(new ReflectiveMapsPass(failure, retired));
+    graph.add(new VirtualLightsPass);
     graph.add(new PointsPass);
     graph.add(new BouncesPass(failure));
     graph.add(new SunShadowPass);
@@ -54,6 +57,9 @@ LitView::LitView(Failure* failure, RetiredObjects* retired, SurfaceSorter* sorte
     graph.add(new LobesPass);
     graph.add(new BouncePass);
     graph.add(new BounceSumPass);
+    graph.add(new CausticsPass);
+    graph.add(new CausticRowsPass);
+    graph.add(new CausticFilterPass);
     graph.add(new IndirectPass);
     graph.add(new BackgroundPass);
     graph.add(new ResolvePass);

@@ -51,6 +51,10 @@ void GatherPass::setup(PassBuilder& b, FrameContext& c)
     b.read(b.find("depth"), "depthMap");
     b.settings<StillViewSettings>();
     readPathLight(b, c, name());
+    if (c.caustics) {
+        b.define("HAS_CAUSTICS");
+        b.frameUniforms(&c.frame.causticState(*c.caustics));
+    }
     drawSurfaces(b);
     b.write(b.create("ray light"));
 }
@@ -65,6 +69,7 @@ void GatherFilterPass::setup(PassBuilder& b, FrameContext& c)
     if (!c.isAccumulating()) return;
     b.readGBuffer();
     b.read(b.find("ray light"), "rayLightMap");
+    if (b.read("caustics", "causticMap")) b.define("HAS_CAUSTICS");
     drawSurfaces(b);
     b.write(b.create("gathered"));
 }

@@ -4,6 +4,7 @@
 #include "base/Limits.h"
 #include "gl/BindTargets.h"
 #include "indirect/BounceDraw.h"
+#include "indirect/ReflectiveMaps.h"
 #include "passes/Inputs.h"
 #include "passes/Links.h"
 
@@ -59,6 +60,7 @@ PointsPass::Key PointsPass::keyOf(const FrameContext& c)
     }
     key.diffuse = c.indirect->diffuse;
     key.glossy = c.indirect->glossy;
+    if (c.caustics) key.virtualLights = c.caustics->targets.virtualLights;
     key.mapFromWorld = c.mapFromWorld;
     key.radianceScale = c.radianceScale;
     return key;
@@ -117,6 +119,12 @@ void PointsPass::setup(PassBuilder& b, FrameContext& c)
         b.define("HAS_GLOSS");
         b.bind(c.atlasLights.nearest("atlas", *c.skyMaps), "nearestLightMap");
         b.write(b.import("point mirrored", light.targets.pointMirrored.get()));
+    }
+    if (c.caustics && light.glossy) {
+        b.define("HAS_CAUSTICS");
+        b.bind(light.glossy, "pointGlossyMap");
+        b.bind(c.caustics->targets.virtualLights, "virtualLightMap");
+        b.frameUniforms(&c.frame.causticState(*c.caustics));
     }
     b.drawAlways();
 }
@@ -222,6 +230,7 @@ void IndirectPass::setup(PassBuilder& b, FrameContext& c)
     b.define("HAS_OCCLUSION");
     if (light.share < 1.0 && b.read("bounce", "bounceMap")) b.define("HAS_BOUNCE");
     b.frameUniforms(&c.frame.probeState(light.share));
+    if (b.read("caustics", "causticMap")) b.define("HAS_CAUSTICS");
     b.shadowOrigin(light.scene->origin);
     drawSurfaces(b);
     b.write(received);

@@ -21,7 +21,7 @@ class OSGENVLIGHT_EXPORT PointsPass : public RenderPass
   private:
     /** What the points' light depends on. */
     struct Key {
-        osg::ref_ptr<const osg::Referenced> scene, textures, sky, suns, emitters, lamps, diffuse, glossy;
+        osg::ref_ptr<const osg::Referenced> scene, textures, sky, suns, emitters, lamps, diffuse, glossy, virtualLights;
         unsigned skyVersion = 0, sunsVersion = 0, emittersVersion = 0, lampsVersion = 0;
         std::vector<osg::Vec4f> falloffs;  // of the application's lights, which their maps do not show
         std::vector<float> cones;
@@ -34,7 +34,7 @@ class OSGENVLIGHT_EXPORT PointsPass : public RenderPass
                    emittersVersion == o.emittersVersion && diffuse == o.diffuse && glossy == o.glossy &&
                    skyVersion == o.skyVersion && lamps == o.lamps && lampsVersion == o.lampsVersion && falloffs == o.falloffs &&
                    cones == o.cones && sunsVersion == o.sunsVersion && mapFromWorld == o.mapFromWorld &&
-                   radianceScale == o.radianceScale;
+                   radianceScale == o.radianceScale && virtualLights == o.virtualLights;
         }
     };
     static Key keyOf(const FrameContext& context);

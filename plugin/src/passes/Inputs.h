@@ -28,6 +28,9 @@ namespace osgEnvLight
 //   sun visibility 0 and 1, penumbrae   how much a pixel sees of them, and the marks of those that must look closer
 //   bounce                              sums of the radiance of what blocks light
 //   point light                         light of the map and its suns at surface points
+//   virtual lights                      places on polished metal, and what they send
+//   caustic sums, caustic places, caustic row sums, caustic row places   sums over a group of these, filtered as the lights' are
+//   caustics                            what a pixel receives of them
 //   indirect, mirrored                  what other surfaces send to a pixel, and from about the mirror direction
 //   radiance                            the sum of the terms over what is behind the scene
 //   average, average of squares         of a still view's frames

@@ -73,7 +73,9 @@ bool LinksPass::wantsRays(const FrameContext& c)
                                          [](const StaticCasters::Part& part) { return part.sent.glossy != osg::Vec3f(); });
         _mirrorsVersion = casters.sentVersion();
     }
-    return (_hasMirrors && c.settings.reflections == Settings::REFLECTIONS_SCENE) || gathers(c.settings);
+    return (_hasMirrors &&
+            (c.settings.reflections == Settings::REFLECTIONS_SCENE || c.settings.caustics != Settings::CAUSTICS_OFF)) ||
+           gathers(c.settings);
 }
 
 void LinksPass::makeScene(const FrameContext& c, const Wanted& wanted)
@@ -111,6 +113,7 @@ void LinksPass::showSurfaces(const StaticCasters::Parts& parts)
 {
     _light.diffuse = _light.scene->diffuse(parts);
     _light.glossy = _light.scene->glossy(parts);
+    _light.polishedShare = _light.scene->polishedShare(parts);
     _light.emissions = _light.scene->emissions(parts);
     _light.surfaceColors = _light.scene->rays ? SceneRays::colors(parts) : nullptr;
     _light.mostReflected = mostReflectedBy(parts);

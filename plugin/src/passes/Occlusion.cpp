@@ -49,7 +49,6 @@ const TextureDesc packed = {GL_RGBA32UI_EXT};  // as in pass/lightsums.glsl
 using Texel = std::array<float, 4>;
 const Texel noSums = {0, 0, 0, 0};
 const Texel noPlace = {0, 0, 1, 0};  // the depth of the background
-const Texel allSeen = {1, 1, 1, 1};
 
 }  // namespace
 
@@ -68,13 +67,13 @@ void filterRows(PassBuilder& b, const char* sums, const char* places, const char
     writeSums(b, rowSums, rowPlaces);
 }
 
-void filterColumns(PassBuilder& b, const char* rowSums, const char* rowPlaces, TextureId result)
+void filterColumns(PassBuilder& b, const char* rowSums, const char* rowPlaces, TextureId result, float elsewhere)
 {
     b.readGBuffer();
     b.read(b.find(rowSums), "sumsMap");
     b.read(b.find(rowPlaces), "placeMap");
     drawSurfaces(b);
-    b.write(result, allSeen);
+    b.write(result, {elsewhere, elsewhere, elsewhere, elsewhere});
 }
 
 Requirement OcclusionPass::require(const FrameContext& c) const

@@ -46,9 +46,10 @@ class OSGENVLIGHT_EXPORT FilterPass : public RenderPass
 
 /** What a pass writes whose sums are filtered [pass/lightsums.glsl]. */
 void writeSums(PassBuilder& builder, const char* sums, const char* places);
-/** The filter's two parts, of whose sums these are. */
+/** The filter's two parts, of whose sums these are.
+ * @param elsewhere  where there is no surface: all is seen */
 void filterRows(PassBuilder& builder, const char* sums, const char* places, const char* rowSums, const char* rowPlaces);
-void filterColumns(PassBuilder& builder, const char* rowSums, const char* rowPlaces, TextureId result);
+void filterColumns(PassBuilder& builder, const char* rowSums, const char* rowPlaces, TextureId result, float elsewhere = 1.0f);
 
 /** Sums of the radiance that blocked directions show, over blocks of the picture. */
 class OSGENVLIGHT_EXPORT BouncePass : public RenderPass

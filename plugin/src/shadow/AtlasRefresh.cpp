@@ -67,19 +67,6 @@ void AtlasRefresh::prepare(const ShadowTargets& targets, const std::vector<Shado
     setDataVariance(dynamic ? osg::Object::DYNAMIC : osg::Object::STATIC);
 }
 
-// Not if all corners lie beyond one side, or below. What lies above the map's heights casts shadows into it.
-bool AtlasRefresh::Map::shows(const osg::BoundingBoxd& bound) const
-{
-    bool outside[5] = {true, true, true, true, true};
-    for (unsigned i = 0; i < 8; ++i) {
-        const osg::Vec4d p = osg::Vec4d(bound.corner(i), 1.0) * *projection;
-        const double reach = p[3] + 1e-3 * std::abs(p[3]);
-        const double beyond[5] = {p[0] - reach, -p[0] - reach, p[1] - reach, -p[1] - reach, p[2] - reach};
-        for (int k = 0; k < 5; ++k) outside[k] = outside[k] && beyond[k] > 0.0;
-    }
-    return std::find(outside, outside + 5, true) == outside + 5;
-}
-
 void AtlasRefresh::drawImplementation(osg::RenderInfo& renderInfo) const
 {
     osg::State& state = *renderInfo.getState();
@@ -127,7 +114,7 @@ void AtlasRefresh::drawRun(osg::RenderInfo& renderInfo, size_t caster, size_t ca
         setUniform(state, "mapTexel", _maps[k].texel);
         state.applyProjectionMatrix(_maps[k].projection.get());
         for (size_t i = caster; i < casterEnd; ++i) {
-            if (!_maps[k].shows(_casters[i].bound)) continue;
+            if (!mapShows(*_maps[k].projection, _casters[i].bound)) continue;
             state.applyModelViewMatrix(_casters[i].modelView.get());
             if (state.getUseModelViewAndProjectionUniforms()) state.applyModelViewAndProjectionUniformsIfRequired();
             _casters[i].geometry->draw(renderInfo);

@@ -41,7 +41,6 @@ class OSGENVLIGHT_EXPORT AtlasRefresh : public osg::Drawable
         unsigned index;
         osg::ref_ptr<osg::RefMatrix> projection;
         float texel, octaves;
-        bool shows(const osg::BoundingBoxd& bound) const;
     };
     void drawCasters(osg::RenderInfo& renderInfo, osg::FrameBufferObject& target, const osg::StateSet& stateSet, size_t begin,
                      size_t end) const;

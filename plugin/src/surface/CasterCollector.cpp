@@ -237,4 +237,16 @@ size_t trianglesOf(const std::vector<Caster>& casters)
     return sum;
 }
 
+bool mapShows(const osg::Matrixd& projection, const osg::BoundingBoxd& bound)
+{
+    bool outside[5] = {true, true, true, true, true};
+    for (unsigned i = 0; i < 8; ++i) {
+        const osg::Vec4d p = osg::Vec4d(bound.corner(i), 1.0) * projection;
+        const double reach = p[3] + 1e-3 * std::abs(p[3]);
+        const double beyond[5] = {p[0] - reach, -p[0] - reach, p[1] - reach, -p[1] - reach, p[2] - reach};
+        for (int k = 0; k < 5; ++k) outside[k] = outside[k] && beyond[k] > 0.0;
+    }
+    return std::find(outside, outside + 5, true) == outside + 5;
+}
+
 }  // namespace osgEnvLight

@@ -1,7 +1,11 @@
 /* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
 #pragma once
 
+#include "base/Limits.h"
+
 #include <osg/Vec3f>
+
+#include <algorithm>
 
 namespace osgEnvLight
 {
@@ -20,5 +24,12 @@ struct SentLight {
                roughness == o.roughness;
     }
 };
+
+/** Whether it reflects lights as bright images of them, so that these light what is around: polished and brushed metal. */
+inline bool isPolished(const SentLight& sent)
+{
+    const osg::Vec3f& g = sent.glossy;
+    return std::max({g.x(), g.y(), g.z()}) >= limits::LEAST_POLISHED && sent.roughness <= limits::MOST_POLISHED_ROUGHNESS;
+}
 
 }  // namespace osgEnvLight
