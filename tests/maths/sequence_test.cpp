@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <vector>
@@ -119,6 +120,25 @@ TEST(sequence, PixelNumbersHaveNothingInCommon)
     EXPECT_NEAR(square / count, 1.0 / 12.0, 0.005);
     EXPECT_NEAR(across / count, 0.25, 0.005);
     EXPECT_NEAR(up / count, 0.25, 0.005);
+}
+
+// Each 2^m points from a multiple of that on are a net: one in each rectangle of that area whose sides are halves of halves.
+TEST(sequence, SobolPointsAreNets)
+{
+    for (int m = 0; m <= 10; ++m) {
+        const unsigned count = 1u << m;
+        for (const unsigned first : {0u, count, 5u * count})
+            for (int columns = 0; columns <= m; ++columns) {
+                std::vector<bool> taken(count);
+                for (unsigned i = first; i < first + count; ++i) {
+                    const glsl::vec2 p = glsl::sobolPoint(i);
+                    ASSERT_TRUE(p.x >= 0.0 && p.x < 1.0 && p.y >= 0.0 && p.y < 1.0);
+                    const auto x = unsigned(p.x * (1 << columns)), y = unsigned(p.y * (1 << (m - columns)));
+                    taken[(y << columns) + x] = true;
+                }
+                EXPECT_EQ(std::count(taken.begin(), taken.end(), true), count) << first << " " << columns;
+            }
+    }
 }
 
 }  // namespace sequence_test

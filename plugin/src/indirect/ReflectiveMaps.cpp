@@ -51,7 +51,7 @@ ReflectiveMap reflectiveMap(const ReflectedLight& light, const osg::BoundingBoxd
     const osg::Vec3d across(frame[0].x, frame[0].y, frame[0].z), up(frame[1].x, frame[1].y, frame[1].z);
     const double border = 1.0 + 2.0 / size;  // a texel about
     if (isFar) {
-        const double least = 1e-6 * (mirrors._max - mirrors._min).length();  // of a mirror seen along its edge
+        const double least = std::max(1e-6 * (mirrors._max - mirrors._min).length(), 1e-12);  // of a mirror seen along its edge
         const double a = border * std::max(extentAlong(mirrors, across), least);
         const double b = border * std::max(extentAlong(mirrors, up), least);
         const double c = border * std::max(extentAlong(mirrors, map.axis), least);

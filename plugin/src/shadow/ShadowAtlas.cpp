@@ -155,19 +155,27 @@ void ShadowAtlas::setCasters(const std::vector<Caster>& casters)
 }
 
 // A light that has moved little keeps its map and has its new flux. Where one is elsewhere now, the former and its map stay until
-// the new one's is drawn, as bright beside the rest as it was: the light comes over map by map.
+// the new one's is drawn, as bright beside the rest as it was: the light comes over map by map. While some lights have no map
+// yet, all begin anew instead.
 void ShadowAtlas::setLights(const LightList& list)
 {
     const double before = sumOf(_list);
     const double factor = before > 0.0 ? sumOf(list) / before : 1.0;
     const std::vector<double> angles = solidAngles(list);
+    const auto hasLeft = [&](unsigned i) {
+        return _maps[i].drawn && (list[i].direction - _maps[i].along).length() > anotherLight;
+    };
+    bool beginsAnew = false;
+    for (unsigned i = 0; i < lights && !complete(); ++i) beginsAnew = beginsAnew || hasLeft(i);
     for (unsigned i = 0; i < lights; ++i) {
         Map& map = _maps[i];
-        map.former = map.drawn && (list[i].direction - map.along).length() > anotherLight;
+        map.drawn = map.drawn && !beginsAnew;
+        map.former = hasLeft(i);
         if (map.former)
             map.flux *= factor;
         else
             std::tie(map.flux, map.solidAngle) = std::tie(list[i].flux, angles[i]);
+        if (!map.drawn) map.along = list[i].direction;
     }
     _list = list;
     _solidAngles = angles;
@@ -210,7 +218,7 @@ std::vector<ShadowRefresh> ShadowAtlas::update(const LightList& list, unsigned b
 void ShadowAtlas::writePlace(osg::Image& image, unsigned index, unsigned firstRow, const osg::Vec3d& origin) const
 {
     const Map& map = _maps[index];
-    const osg::Vec3d along = map.drawn ? map.along : _list[index].direction;
+    const osg::Vec3d along = map.along;
     const osg::Vec3d center = map.center - origin;
     const double height = map.drawn ? 0.5 / map.radius : 1.0;
     const double texels = height * size;
@@ -241,7 +249,7 @@ std::vector<unsigned> ShadowAtlas::servingLights() const
         if (_maps[i].drawn) continue;
         double largest = -2.0;
         for (unsigned k = 0; k < lights; ++k) {
-            const double cosine = _list[i].direction * _maps[k].along;
+            const double cosine = _maps[i].along * _maps[k].along;
             if (_maps[k].drawn && cosine > largest) std::tie(largest, serving[i]) = std::tuple(cosine, k);
         }
     }
@@ -255,9 +263,7 @@ osg::ref_ptr<osg::Image> ShadowAtlas::lightImage(double scale, const ShadowAtlas
     image->setInternalTextureFormat(GL_RGBA32F_ARB);
     std::vector<osg::Vec4d> lit(lights);  // flux and solid angle
     const std::vector<unsigned> serving = servingLights();
-    for (unsigned i = 0; i < lights; ++i)
-        lit[serving[i]] +=
-            _maps[i].drawn ? osg::Vec4d(_maps[i].flux, _maps[i].solidAngle) : osg::Vec4d(_list[i].flux, _solidAngles[i]);
+    for (unsigned i = 0; i < lights; ++i) lit[serving[i]] += osg::Vec4d(_maps[i].flux, _maps[i].solidAngle);
     for (unsigned i = 0; i < lights; ++i) {
         writePlace(*image, i, 0, _targets.origin);
         const double angle = std::max(lit[i][3], 1e-6);
@@ -273,7 +279,7 @@ osg::ref_ptr<osg::Image> ShadowAtlas::nearestImage() const
 {
     const int side = 32;  // 6 degrees: half of what 256 lights lie apart
     std::vector<osg::Vec3f> directions(lights);
-    for (unsigned i = 0; i < lights; ++i) directions[i] = osg::Vec3f(_maps[i].drawn ? _maps[i].along : _list[i].direction);
+    for (unsigned i = 0; i < lights; ++i) directions[i] = osg::Vec3f(_maps[i].along);
     const bool someHaveMaps = hasMap();
     osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(2 * side, side, 1, GL_RGBA_INTEGER_EXT, GL_UNSIGNED_INT);
