@@ -127,7 +127,6 @@ osg::ref_ptr<WatchedScene> makeScene()
     osg::ref_ptr<WatchedScene> lit = new WatchedScene;
     Settings& s = *lit->getSettings();
     s.regeneration = Settings::IMMEDIATE;
-    s.caustics = Settings::CAUSTICS_ON;
     s.sceneLights = Settings::SCENE_LIGHTS_ON;  // the viewer's
     s.atlasLights = s.accumulateLights = 16;
     s.atlasSize = s.accumulateSize = 16;
@@ -158,11 +157,13 @@ osg::ref_ptr<WatchedScene> makeScene()
     return lit;
 }
 
-// Not in a state graph: what the shadow maps draw with, the bounces and the maps of what is reflected.
+// Not in a state graph: what the shadow maps draw with, and the bounces.
 const Names ofShadowMaps = {"pass/caster.frag", "pass/caster.vert", "pass/emittermap.frag", "pass/midpoint.frag",
                             "pass/sunmap.frag"};
-const Names ofBounces = {"pass/reflectivemap.frag", "pass/pointradiance.frag", "pass/probeharmonics.frag", "pass/probes.frag",
-                         "pass/surfacecells.frag"};
+const Names ofBounces = {"pass/pointradiance.frag", "pass/probeharmonics.frag", "pass/probes.frag", "pass/surfacecells.frag"};
+
+// Of a test of their own.
+const Names ofCaustics = {"pass/caustics.frag", "pass/reflectivemap.frag", "pass/virtuallights.frag"};
 
 }  // namespace
 
@@ -194,11 +195,24 @@ TEST(PassSettings, EveryPassHasThoseThatItsShaderReads)
         for (const std::string& name : names) ADD_FAILURE() << program << " reads " << name << ", whose group no pass asks for";
     for (const std::string& name : ShaderLibrary::names())
         if (name.size() > 5 && name.substr(name.size() - 5) == ".frag") {
-            EXPECT_EQ(1u, ofShadowMaps.count(name) + ofBounces.count(name) + found.programs.count(name)) << name;
+            EXPECT_EQ(1u, ofShadowMaps.count(name) + ofBounces.count(name) + ofCaustics.count(name) + found.programs.count(name))
+                << name;
         }
     // The atlas has its own: a still view's maps differ from the setting.
     for (const Settings::Property& p : Settings::table())
         EXPECT_EQ(p.uniform || std::string("atlasSize") == p.name, found.read.count(p.name) > 0) << p.name;
+}
+
+TEST(PassSettings, CausticsHaveThoseThatTheirShadersRead)
+{
+    SceneRenderer renderer(24, 24);
+    const osg::ref_ptr<WatchedScene> lit = makeScene();
+    lit->getSettings()->caustics = Settings::CAUSTICS_ON;
+    renderer.render(lit.get(), 4);
+    const Found found = settingsOf(lit->drawn, renderer.state());
+    for (const auto& [program, names] : found.missing)
+        for (const std::string& name : names) ADD_FAILURE() << program << " reads " << name << ", whose group no pass asks for";
+    for (const char* name : {"pass/caustics.frag", "pass/virtuallights.frag"}) EXPECT_EQ(1u, found.programs.count(name)) << name;
 }
 
 TEST(PassSettings, ShadowMapsReadNone)
