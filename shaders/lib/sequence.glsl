@@ -20,8 +20,8 @@ vec2 hammersley(uint i, uint n)
     return vec2((float(i) + 0.5) / float(n), radicalInverse(i) + 0.5 / float(n));
 }
 
-// Point i of Sobol's sequence in two dimensions, in [0,1)^2. Each 2^m points that follow each other, from a multiple of that on, are a net:
-// one in each of the 2^m rectangles of an area that halves of the sides make [Kollig, Keller 2002].
+// Point i of Sobol's sequence in two dimensions, in [0,1)^2. 2^m points that follow each other from a multiple of 2^m on are a (0,m,2)-net:
+// halve the square m times along either axis, and each of the rectangles holds one point [Kollig, Keller 2002].
 vec2 sobolPoint(uint i)
 {
     uint other = 0u;

@@ -10,7 +10,7 @@
 
 uniform mat4 atlasFromEye;  // to the lights' origin
 
-// Half width of the narrowest lobe, in cells, of which each pixel asks another light.
+// Half width of the narrowest lobe, in cells. One pixel of a cell asks a light for all of the cell.
 const float CELL_SHARE = 0.5;
 
 layout(location = 0) out uvec4 sumsTexel;

@@ -158,8 +158,8 @@ float brightness(vec3 c)
 }
 
 // The light that surface s sends back along the path, without its own emission, in units of the map's mean. blur: as in pathLobe().
-// virtualLights: those of which the pixel receives from virtual lights what s reflects if it is polished metal. pixel, ray: numbers that no
-// other ray has.
+// virtualLights: suns and lamps for whose reflection virtual lights stand, as bits. If s is polished metal, it sends nothing of them here.
+// pixel, ray: numbers that no other ray has.
 vec3 pathLight(PathSurface s, float blur, int virtualLights, uint pixel, uint ray)
 {
     vec3 sum = vec3(0.0);

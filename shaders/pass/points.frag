@@ -6,7 +6,8 @@
 // surfaces receive only a share: that of the directions in which they hide the map. A mirror sends each light in one direction. Only the
 // lights for which a surface lies there count. The colour is their irradiance over pi, divided by the share; other surfaces then receive
 // all of it. Alpha is the same factor for the light that surfaces send to the point.
-// Where virtual lights stand for what polished metal reflects of a sun or lamp, points on it do not send that, too; all points receive it.
+// Virtual lights may stand for what polished metal reflects of a sun or lamp. Points on the metal then send nothing of that sun or lamp, and
+// all points receive the virtual lights.
 #pragma import_defines(MAP_IS_BLACK, HAS_SUN_MAPS, HAS_AREA_LIGHTS, HAS_SCENE_LIGHT_MAPS, HAS_GLOSS, HAS_CAUSTICS)
 
 #include "lib/constants.glsl"

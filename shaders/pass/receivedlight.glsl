@@ -27,7 +27,8 @@ struct ReceivedLight {
     vec3 sentOn;  // of each light the share that sentShare() says
 };
 
-// The share of light from direction l that a lobe there sends where it counts. number: of the sun or of the application's light, or NO_NUMBER.
+// The share of light from direction l that a lobe there sends where it counts. number: the light's. The application's lights come first,
+// then the suns. Other lights have NO_NUMBER.
 const int FIRST_SUN = MOST_SCENE_LIGHTS;
 const int NO_NUMBER = FIRST_SUN + MOST_SUNS;
 float sentShare(vec3 l, vec3 place, vec3 n, int number);

@@ -1,8 +1,8 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// A reflective shadow map [Dachsbacher, Stamminger 2005]: of the surfaces that a light sees, the power that the lobes of polished ones
-// reflect of it, over pi and in units of the map's mean. The power of a texel does not go with its size [systems.md E17]: it is the light's
-// irradiance times the area that the texel shows across the light.
+// A reflective shadow map [Dachsbacher, Stamminger 2005]: what a light sees, and the power that the lobes of polished metal reflect there,
+// over pi and in units of the map's mean. The power of a texel is the light's irradiance times the texel's area across the light, so the
+// sum over the map does not depend on the size of texels [systems.md E17].
 #pragma import_defines(CASTER_BLENDED, HAS_SCENE_LIGHTS)
 
 #include "lib/sequence.glsl"

@@ -1,11 +1,10 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// Virtual lights [Keller 1997]: texels of the reflective shadow maps, chosen by the power that they reflect, each with GGX's lobe as a
-// linearly transformed cosine. Lobe and light are exchanged: the lobe is that of a view from the light, so that its matrix is the same for
-// all that receive it [seed 004, eq. 14]. A texel of this target is a value of a light: a column is a light, rows as in
-// pass/virtuallights.glsl.
-// A light stands for what lies about its texel: its lobe is as wide as theirs together, by how much the normals turn there and by how far
-// neighbours lie apart where the reflection is met.
+// Chooses virtual lights [Keller 1997]: texels of the reflective shadow maps, by the power that they reflect. A column of this target is a
+// light, and pass/virtuallights.glsl says what its rows are.
+// A light sends GGX's lobe, as a linearly transformed cosine. The lobe depends on two directions, to the sun or lamp and to the receiver,
+// and stays the same if these change places. It is fitted for a view from the sun or lamp: one matrix serves all receivers [seed 004, 14].
+// A light stands for the surface about its texel. The more the normals turn there, the wider is its lobe.
 #pragma import_defines(HAS_SCENE_RAYS)
 
 #include "lib/constants.glsl"
@@ -64,7 +63,8 @@ Choice chooseTexel(vec2 u)
     return chosen;
 }
 
-// Beyond the plane that the middle of the lobe meets nothing is lit: the plane's normal over its distance, which is -1 there; 0: none is met.
+// The plane of the surface that the middle of the lobe meets: the light reaches nothing behind it. A vector e: a place whose offset from the
+// light has a dot product with e above 1 lies behind the plane. 0 if the lobe meets nothing.
 vec3 endOf(vec3 place, vec3 d)
 {
 #ifdef HAS_SCENE_RAYS
@@ -94,8 +94,8 @@ void main()
     float texels = 1.0 / (chosen.probability * float(virtualLights));  // that it stands for
     float area = light.texelArea * texels / max(cosine, 0.05);
     vec3 end = endOf(at.xyz, reflect(-light.direction, n));
-    // The square of alpha is twice the variance of half vectors. That of an even patch is a twelfth of its width squared; so that
-    // neighbours' lobes join, three times that counts. Half vectors turn by half of what directions do.
+    // The square of alpha is twice the variance of half vectors along an axis. Of a patch that variance is a twelfth of the square by which
+    // its normals turn. Twelve times that counts, so that the lobes of neighbours overlap. A sun's disc widens the lobe, too.
     float alpha = normal.a * normal.a;
     float radius = reflectedRadius[lightNumber];
     float square = alpha * alpha + at.w * texels + 0.125 * radius * radius;

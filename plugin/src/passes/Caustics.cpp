@@ -111,29 +111,23 @@ void ReflectiveMapsPass::drop()
         for (osg::Texture2D* t : targets.textures()) _retired->add(t);
         _retired->add(targets.target.get());
     }
-    _caustics = {};
+    _caustics.targets = {};
     _camera = nullptr;
 }
 
-void ReflectiveMapsPass::makeTargets(const Settings& settings)
+void ReflectiveMapsPass::makeTargets(unsigned size, unsigned lights)
 {
-    const unsigned size = roundedUpToPower(unsigned(settings.causticMapSize)), columns = _caustics.maps.size() > 1 ? 2 : 1;
-    const unsigned groups = limits::LIGHT_GROUPS;
-    const unsigned lights = (unsigned(settings.causticLights) + groups - 1) / groups * groups;
+    const unsigned columns = _caustics.maps.size() > 1 ? 2 : 1;
     const ReflectiveTargets& there = _caustics.targets;
     if (there.size == size && there.columns == columns && there.lights == lights) return;
-    Caustics caustics = _caustics;
     drop();
-    _caustics = std::move(caustics);
     _caustics.targets = ReflectiveTargets(size, columns, lights);
     _camera = new StageCamera;
     BindTargets::install(*_camera, _caustics.targets.target.get(), _failure.get());
-    _isNew = true;
 }
 
 void ReflectiveMapsPass::update(FrameContext& c)
 {
-    if (_lost.exchange(false)) _isNew = true;
     const osg::BoundingBoxd mirrors = boundOfMirrors(c.casters);
     _caustics.origin = c.indirect->scene->origin;
     _caustics.lift = c.skyMaps->texel();
@@ -143,7 +137,7 @@ void ReflectiveMapsPass::update(FrameContext& c)
     for (const ReflectedLight& light : reflectedLights(c, _caustics))
         _caustics.maps.push_back(reflectiveMap(light, mirrors, _caustics.origin, size));
     if (_caustics.maps.empty()) return;
-    makeTargets(c.settings);
+    makeTargets(size, wholeGroups(c.settings.causticLights));
     c.caustics = &_caustics;
 }
 
@@ -151,8 +145,7 @@ void ReflectiveMapsPass::setup(PassBuilder& b, FrameContext& c)
 {
     if (!c.caustics) return;
     c.remark(", " + counted(_caustics.maps.size(), "map"));
-    if (c.indirect->rows == 0 && !_isNew) return;
-    _isNew = false;
+    if (c.indirect->rows == 0) return;  // new targets and lost ones change the points' light, too
     const StateSets::State state = b.states().get({"reflective map", {c.sceneLightMaps ? "HAS_SCENE_LIGHTS" : ""}, {}});
     if (state.isNew) {
         osg::StateSet& s = state.stateSet;
@@ -176,12 +169,6 @@ void ReflectiveMapsPass::setup(PassBuilder& b, FrameContext& c)
 void ReflectiveMapsPass::dismiss(FrameContext&)
 {
     drop();
-}
-
-void ReflectiveMapsPass::releaseGLObjects(osg::State* state) const
-{
-    _caustics.targets.releaseGLObjects(state);
-    _lost = true;
 }
 
 Requirement VirtualLightsPass::require(const FrameContext& c) const

@@ -23,21 +23,20 @@ class OSGENVLIGHT_EXPORT ReflectiveMapsPass : public RenderPass
     void dismiss(FrameContext& context) override;
     size_t bytes() const override { return _caustics.targets.bytes(); }
     void resizeGLObjectBuffers(unsigned maximum) override { _caustics.targets.resizeGLObjectBuffers(maximum); }
-    void releaseGLObjects(osg::State* state) const override;
+    void releaseGLObjects(osg::State* state) const override { _caustics.targets.releaseGLObjects(state); }
 
   protected:
     ~ReflectiveMapsPass() override { drop(); }
 
   private:
-    void makeTargets(const Settings& settings);
+    /** @param size  of a map's side [texels] */
+    void makeTargets(unsigned size, unsigned lights);
     void drop();
 
     const osg::ref_ptr<Failure> _failure;
     const osg::ref_ptr<RetiredObjects> _retired;
     Caustics _caustics;
     osg::ref_ptr<osg::Camera> _camera;
-    bool _isNew = false;  // nothing has been drawn into the targets
-    mutable std::atomic<bool> _lost{false};
 };
 
 /** Virtual lights, chosen from these maps. */

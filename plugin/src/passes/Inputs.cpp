@@ -97,9 +97,14 @@ bool readFog(PassBuilder& b, FrameContext& c)
     return true;
 }
 
+unsigned wholeGroups(int count)
+{
+    return (unsigned(count) + limits::LIGHT_GROUPS - 1) / limits::LIGHT_GROUPS * limits::LIGHT_GROUPS;
+}
+
 unsigned areaPointsOf(const Settings& settings)
 {
-    return (unsigned(settings.areaPoints) + limits::LIGHT_GROUPS - 1) / limits::LIGHT_GROUPS * limits::LIGHT_GROUPS;
+    return wholeGroups(settings.areaPoints);
 }
 
 void readEmitterPoints(PassBuilder& b, const EmitterMaps& maps, osg::Texture2D* points)

@@ -56,6 +56,8 @@ bool readSunVisibility(PassBuilder& builder);
  * @param name  of the atlas
  * @param near  the maps of the same lights about the view, or null */
 void readSkyMaps(PassBuilder& builder, FrameContext& context, const std::string& name, ShadowAtlas& maps, ShadowAtlas* near);
+/** A count, rounded up to whole groups of the pixels of a 4x4 cell. */
+unsigned wholeGroups(int count);
 /** How many points area lights have together. */
 unsigned areaPointsOf(const Settings& settings);
 /** The fog. False if what is lit has none. */
