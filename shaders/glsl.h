@@ -103,6 +103,7 @@ inline vec4 textureLod(const sampler2D& s, vec2 st, double)
 #include "lib/bsdf.glsl"
 #include "lib/bulge.glsl"
 #include "lib/coat.glsl"
+#include "lib/colorbox.glsl"
 #include "lib/constants.glsl"
 #include "lib/depth.glsl"
 #include "lib/disc.glsl"

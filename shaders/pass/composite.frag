@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // The picture, or any intermediate in its place, into the host's own colour and depth.
-#pragma import_defines(HAS_SUN_SHADOWS, HAS_OCCLUSION, BACKGROUND, ACCUMULATED, VIEW_TERM, ANTIALIASED)
+#pragma import_defines(HAS_SUN_SHADOWS, HAS_OCCLUSION, BACKGROUND, ACCUMULATED, VIEW_TERM, ANTIALIASED, TEMPORAL)
 
 #include "lib/limits.glsl"
 #include "pass/display.glsl"
@@ -14,6 +14,10 @@ uniform float sceneRadius;
 #elif defined(ANTIALIASED)
 #include "lib/antialias.glsl"
 uniform sampler2D displayMap;
+#ifdef TEMPORAL
+#include "pass/history.glsl"
+uniform sampler2D placeMap;
+#endif
 #else
 #include "pass/shown.glsl"
 #endif
@@ -100,6 +104,8 @@ void main()
     EdgeShift shift = edgeShift(displayMap, p);
 #ifdef ACCUMULATED
     shift.share *= 1.0 - accumulatedShare;
+#elif defined(TEMPORAL)
+    shift.share /= float(placeAge(texelFetch(placeMap, p, 0).r));  // edges are smooth where frames were averaged
 #endif
 #ifndef BACKGROUND
     if (depth >= 1.0 && shift.share <= 0.0) discard;

@@ -24,6 +24,7 @@ const std::vector<Defines> alternatives = {
     {"DIFFUSE_SH_9", "DIFFUSE_SH_18", "DIFFUSE_LIGHTS"},
     {"ACCUMULATED", "VIEW_TERM"},
     {"ANTIALIASED", "VIEW_TERM"},
+    {"ACCUMULATED", "TEMPORAL"},
     {"NO_TEXTURE", "TEXTURE_REPLACE", "TEXTURE_DECAL", "TEXTURE_BLEND", "TEXTURE_ADD"},
     {"TEXGEN_OBJECT", "TEXGEN_EYE"},
     {"ENVLIGHT_LAMBERT", "ENVLIGHT_PHONG", "ENVLIGHT_COOK_TORRANCE", "ENVLIGHT_STRAUSS"},
@@ -31,9 +32,10 @@ const std::vector<Defines> alternatives = {
 
 // The first only with the second, in programs that import both.
 const std::vector<std::pair<std::string, std::string>> needs = {
-    {"SUNS_OVER_4", "SUNS_OVER_2"},     {"SUNS_OVER_6", "SUNS_OVER_4"},  {"BACKGROUND_BLUR", "BACKGROUND"},
-    {"HAS_OCCLUSION", "HAS_DIFFUSE"},   {"HAS_BOUNCE", "HAS_OCCLUSION"}, {"SUN_DIFFUSE", "HAS_SUNS"},
-    {"HAS_NEIGHBOURHOOD", "HAS_ATLAS"}, {"HAS_LOBES", "HAS_ATLAS"},      {"HAS_ANISOTROPY", "HAS_COOK_TORRANCE"},
+    {"SUNS_OVER_4", "SUNS_OVER_2"},          {"SUNS_OVER_6", "SUNS_OVER_4"},  {"BACKGROUND_BLUR", "BACKGROUND"},
+    {"HAS_OCCLUSION", "HAS_DIFFUSE"},        {"HAS_BOUNCE", "HAS_OCCLUSION"}, {"SUN_DIFFUSE", "HAS_SUNS"},
+    {"HAS_NEIGHBOURHOOD", "HAS_ATLAS"},      {"TEMPORAL", "ANTIALIASED"},     {"HAS_LOBES", "HAS_ATLAS"},
+    {"HAS_ANISOTROPY", "HAS_COOK_TORRANCE"},
 };
 
 void extend(const Defines& defines, size_t next, Defines& set, std::vector<Defines>& result)

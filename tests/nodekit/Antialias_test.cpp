@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace Antialias_test
 {
@@ -137,6 +139,100 @@ TEST(Antialias, AStillViewConvergesToWhatItDoesWithout)
         return draw(lit, osg::Vec4(), size, 70);
     };
     EXPECT_LT(rmse(converged(Settings::ANTIALIAS_EDGES), converged(Settings::ANTIALIAS_OFF)), 0.002);
+}
+
+// Root mean squares of a pan's errors beside its coverage, and of how much these change from frame to frame.
+struct PanErrors {
+    double error, change;
+};
+
+PanErrors panErrors(int antialias, bool bars)
+{
+    const int before = 12, judged = 4;
+    const auto pan = [&](int kind, int factor) {
+        const osg::ref_ptr<LitScene> lit = card(kind, true);
+        for (int i = -8; i <= 8 && bars; ++i) {
+            const osg::ref_ptr<osg::Geode> bar =
+                makeQuad(osg::Vec3d(0.25 * i, -0.1, -2), osg::Vec3d(0.03, 0, 0), osg::Vec3d(0.6, 0, 4));
+            osgEnvLight::Material::setLambert(*bar->getOrCreateStateSet(), osg::Vec3f(0.05f, 0.05f, 0.05f));
+            lit->addChild(bar);
+        }
+        SceneRenderer renderer(size * factor, size * factor);
+        std::vector<Picture> all;
+        for (int i = 0; i < before + judged; ++i) {
+            const double way = 0.013 * i;  // .29 pixels a frame along both sides
+            renderer.lookAt(osg::Vec3d(way, -4, way), osg::Vec3d(way, 0, way), osg::Vec3d(0, 0, 1), 40.0);
+            const Picture picture = renderer.render(lit, 1);
+            if (i >= before) all.push_back(factor > 1 ? shrunk(picture, factor) : picture);
+        }
+        return all;
+    };
+    const std::vector<Picture> truth = pan(Settings::ANTIALIAS_OFF, 8);
+    const std::vector<Picture> shown = pan(antialias, 1);
+    double squares = 0.0, variances = 0.0;
+    for (size_t i = 0; i < shown[0].rgba.size(); ++i) {
+        double sum = 0.0, sum2 = 0.0;
+        for (size_t k = 0; k < shown.size(); ++k) {
+            const double d = double(shown[k].rgba[i]) - double(truth[k].rgba[i]);
+            sum += d / judged;
+            sum2 += d * d / judged;
+        }
+        squares += sum2;
+        variances += sum2 - sum * sum;
+    }
+    return {std::sqrt(squares), std::sqrt(variances)};
+}
+
+// Of a lone straight edge and of bars narrower than a pixel. Measured .60 and .75 of the error without, .42 and .56 of its
+// change. Smoothed edges err less on these: .26 and .70 of the error, and .19 and .65 of its change. What a pan gains by former
+// frames is in bench/motion_study.cpp.
+TEST(Antialias, AMovingViewIsNearerToItsCoverageAndSteadierThanWithout)
+{
+    for (const bool bars : {false, true}) {
+        const PanErrors off = panErrors(Settings::ANTIALIAS_OFF, bars);
+        const PanErrors temporal = panErrors(Settings::ANTIALIAS_TEMPORAL, bars);
+        EXPECT_LT(temporal.error, 0.85 * off.error) << bars;
+        EXPECT_LT(temporal.change, 0.65 * off.change) << bars;
+    }
+}
+
+// The first frame has none before it, nor has the first of another size.
+TEST(Antialias, AFirstFrameIsAsWithSmoothedEdges)
+{
+    const auto first = [](int antialias) { return draw(card(antialias, true), osg::Vec4(), size, 1); };
+    EXPECT_LE(largestDifference(first(Settings::ANTIALIAS_TEMPORAL), first(Settings::ANTIALIAS_EDGES)), 1.0 / 65535);
+}
+
+// Neither a card that is gone nor one before which the view has jumped is still seen.
+TEST(Antialias, NothingIsLeftOfWhatIsGone)
+{
+    SceneRenderer renderer(size, size);
+    const osg::ref_ptr<LitScene> lit = card(Settings::ANTIALIAS_TEMPORAL, true);
+    lit->addChild(makeBox(osg::Vec3d(-0.2, -1.2, -0.2), osg::Vec3d(0.2, -0.8, 0.2)));
+    draw(renderer, lit, osg::Vec4(), 12);
+    lit->getChild(1)->setNodeMask(0);
+    const Picture gone = draw(renderer, lit, osg::Vec4(), 1);
+    const osg::ref_ptr<LitScene> without = card(Settings::ANTIALIAS_TEMPORAL, true);
+    const Picture never = draw(renderer, without, osg::Vec4(), 1);
+    // Well below the card's edge, where the box was.
+    for (int y = size / 2 - 12; y < size / 2 - 8; ++y)
+        for (int x = size / 2 - 3; x < size / 2 + 3; ++x)
+            for (int k = 0; k < 3; ++k) EXPECT_NEAR(never.color(x, y)[k], gone.color(x, y)[k], 2.0 / 255) << x << ' ' << y;
+}
+
+TEST(Antialias, AStillViewConvergesToWhatItDoesWithoutFormerFrames)
+{
+    const auto converged = [](int antialias) {
+        const osg::ref_ptr<LitScene> lit = card(antialias, true);
+        lit->getSettings()->occlusion = true;
+        lit->getSettings()->regeneration = Settings::IMMEDIATE;
+        lit->getSettings()->visibility = Settings::VISIBILITY_ATLAS;
+        lit->getSettings()->accumulate = true;
+        lit->getSettings()->accumulateFrames = 64;
+        lit->getSettings()->accumulateSize = 64;
+        return draw(lit, osg::Vec4(), size, 70);
+    };
+    EXPECT_LT(rmse(converged(Settings::ANTIALIAS_TEMPORAL), converged(Settings::ANTIALIAS_OFF)), 0.002);
 }
 
 }  // namespace Antialias_test

@@ -177,6 +177,8 @@ TEST(PassSettings, EveryPassHasThoseThatItsShaderReads)
     s.accumulate = true;
     renderer.render(lit.get(), 12);
     s.accumulate = false;
+    s.antialias = Settings::ANTIALIAS_TEMPORAL;
+    renderer.render(lit.get(), 2);
     s.combine = Settings::SUBTRACT;
     s.output = Settings::LINEAR;
     for (s.view = Settings::DIFFUSE; s.view < Settings::NUM_VIEWS; ++s.view) renderer.render(lit.get(), 1);

@@ -24,8 +24,9 @@ std::vector<SettingsProperty> OutputSettings::properties()
             "toneCurve", &S::toneCurve, {"clip", "reinhard", "neutral", "shoulder"},
             "from radiance to the display's range: none, Reinhard 2002, Khronos PBR Neutral, or that with only its highlights "
             "bent"))),
-        choice("antialias", &S::antialias, {"off", "edges"},
-               "smooth the staircases of edges in what is shown on a display; a still view's average (accumulate) has none"),
+        choice("antialias", &S::antialias, {"off", "edges", "temporal"},
+               "smooth what is shown on a display: the staircases of edges, or with the frames before also what flickers while the "
+               "view moves; a still view's average (accumulate) needs neither"),
         shown(uniform(onOff("dither", &S::dither, "ordered dither of half an 8-bit step against bands"))),
     };
 }

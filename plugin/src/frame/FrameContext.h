@@ -5,6 +5,7 @@
 #include "frame/AtlasLights.h"
 #include "frame/FrameResources.h"
 #include "frame/IndirectLight.h"
+#include "frame/PassBuilder.h"
 #include "frame/SceneFacts.h"
 #include "gl/ShaderLibrary.h"
 #include "lights/MapTextures.h"
@@ -81,7 +82,17 @@ struct FrameContext {
     ShadowAtlas* stillNearMaps = nullptr;     // of the same lights, about the view
     EmitterMaps* stillEmitterMaps = nullptr;  // of points of the area lights of its own
     osg::Texture2D* stillEmitterPoints = nullptr;
-    osg::Vec2d subpixel = {};  // shift of the picture in clip space over w
+    osg::Vec2d subpixel = {};     // shift of the picture in clip space over w
+    TextureId shownPicture = {};  // averaged over frames; invalid: none is
+    TextureId shownPlaces = {};   // packPlace() of pass/history.glsl
+
+    /** The picture may be shifted by a part of a pixel: what is drawn forward, a background of the host's and the application's
+     * own G-buffer are not. */
+    bool canShift() const { return facts.surfaces.forward == 0 && background != Settings::BACKGROUND_OFF && facts.ownGBuffer; }
+    void shift(const osg::Vec2d& point)
+    {
+        subpixel = osg::Vec2d((2.0 * point[0] - 1.0) / width(), (2.0 * point[1] - 1.0) / height());
+    }
 
     int width() const { return int(viewport->width()); }
     int height() const { return int(viewport->height()); }

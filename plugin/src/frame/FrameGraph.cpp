@@ -193,7 +193,7 @@ void FrameGraph::allocate(const std::vector<int>& sequence, const FrameContext& 
     for (const Span& s : spans) {
         const TextureDesc& d = s.resource->desc;
         const auto texels = [&](int pixels) { return d.side ? d.side : d.half ? (pixels + 1) / 2 : pixels; };
-        const TexturePool::Size size{d.format, texels(c.width()), texels(c.height())};
+        const TexturePool::Size size{d.format, texels(c.width()), texels(c.height()), d.linear};
         s.resource->texture = d.kept ? _pool.kept(s.resource->name, size) : _pool.transient(size, s.first, s.last);
     }
 }

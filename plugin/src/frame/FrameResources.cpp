@@ -182,6 +182,18 @@ osg::StateSet& FrameResources::fogState(const FogValues& fog, const osg::Vec3f& 
     return *_fogState;
 }
 
+osg::StateSet& FrameResources::historyState(const osg::Matrixd& formerEyeFromEye, const osg::Matrixd& formerProjection)
+{
+    if (!_historyState) {
+        _historyState = new osg::StateSet;
+        for (const char* name : {"formerEyeFromEye", "formerProjection"})
+            _historyState->addUniform(new osg::Uniform(name, osg::Matrixf()));
+    }
+    _historyState->getUniform("formerEyeFromEye")->set(osg::Matrixf(formerEyeFromEye));
+    _historyState->getUniform("formerProjection")->set(osg::Matrixf(formerProjection));
+    return *_historyState;
+}
+
 osg::StateSet& FrameResources::sceneLightState()
 {
     if (!_sceneLightState) {

@@ -86,6 +86,8 @@ class OSGENVLIGHT_EXPORT FrameResources : public osg::Referenced
     osg::StateSet& probeState(double share);
     /** Uniforms of pass/fog.glsl. radiance: of the fog, as what is typed is shown. */
     osg::StateSet& fogState(const FogValues& fog, const osg::Vec3f& radiance);
+    /** Uniforms of pass/temporal.frag: where the frame before looked from. */
+    osg::StateSet& historyState(const osg::Matrixd& formerEyeFromEye, const osg::Matrixd& formerProjection);
     /** Uniforms of the application's lights. */
     osg::StateSet& sceneLightState();
     /** Uniforms of the suns' maps as they stand in this frame. */
@@ -116,6 +118,7 @@ class OSGENVLIGHT_EXPORT FrameResources : public osg::Referenced
     osg::ref_ptr<osg::StateSet> _causticState;
     osg::ref_ptr<osg::StateSet> _probeState;
     osg::ref_ptr<osg::StateSet> _fogState;
+    osg::ref_ptr<osg::StateSet> _historyState;
     osg::ref_ptr<osg::StateSet> _sceneLightState;
     osg::ref_ptr<osg::StateSet> _sunState;
     osg::ref_ptr<const SunShadows> _sunShadows;  // that it is of, at which version

@@ -90,6 +90,7 @@ void FullScreen::drawImplementation(osg::RenderInfo& renderInfo) const
     upload.matrix4("atlasFromEye", eyeToWorld * osg::Matrixd::translate(-atlasOrigin));
     upload.vec2("viewportSize", viewport->width(), viewport->height());
     upload.vec2("viewportOrigin", viewport->x(), viewport->y());
+    upload.vec2("subpixel", subpixel[0], subpixel[1]);
     upload.vec2("hostDepth", depth.toHostDepth()[0], depth.toHostDepth()[1]);
     timed.begin(state);
     clearTargets();

@@ -19,7 +19,7 @@ namespace osgEnvLight
 
 /** A triangle over the viewport for a pass. The host's projection is final only after cull, so the uniforms that depend on it are
  * read from osg::State when it is drawn: projection, inverseProjection, mapFromEye, atlasFromEye, viewportSize,
- * viewportOrigin, hostDepth. None of these may also be an osg::Uniform.*/
+ * viewportOrigin, subpixel, hostDepth. None of these may also be an osg::Uniform.*/
 class OSGENVLIGHT_EXPORT FullScreen : public osg::Geometry
 {
   public:

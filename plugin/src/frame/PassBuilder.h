@@ -36,9 +36,10 @@ class TextureId
 
 struct TextureDesc {
     GLint format = GL_RGBA16F_ARB;
-    int side = 0;       // of a square one [pixels]; 0: as large as the view
-    bool kept = false;  // what is in it stays from frame to frame
-    bool half = false;  // a texel for each 2x2 pixels of the view
+    int side = 0;         // of a square one [pixels]; 0: as large as the view
+    bool kept = false;    // what is in it stays from frame to frame
+    bool half = false;    // a texel for each 2x2 pixels of the view
+    bool linear = false;  // look-ups between texels are
 };
 
 /** A draw of something else than a triangle over the target, with the camera whose callbacks bind what it draws into. */

@@ -25,6 +25,7 @@ void TexturePool::beginFrame()
 osg::ref_ptr<osg::Texture2D> TexturePool::make(const Size& size, int last, const std::string& name)
 {
     _entries.push_back({targetTexture(size.width, size.height, size.format), size, last, name});
+    if (size.linear) filterLinearly(*_entries.back().texture);
     return _entries.back().texture;
 }
 

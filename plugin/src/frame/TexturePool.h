@@ -37,7 +37,11 @@ class OSGENVLIGHT_EXPORT TexturePool
         GLint format;
         int width;
         int height;
-        bool operator==(const Size& o) const { return format == o.format && width == o.width && height == o.height; }
+        bool linear = false;
+        bool operator==(const Size& o) const
+        {
+            return format == o.format && width == o.width && height == o.height && linear == o.linear;
+        }
     };
 
     void beginFrame();

@@ -16,6 +16,7 @@
 #include "passes/Specular.h"
 #include "passes/StillView.h"
 #include "passes/SunPasses.h"
+#include "passes/Temporal.h"
 
 namespace osgEnvLight
 {
@@ -73,6 +74,7 @@ LitView::LitView(Failure* failure, RetiredObjects* retired, SurfaceSorter* sorte
     graph.add(new AccumulatePass);
     graph.add(new StillErrorPass);
     graph.add(new DisplayPass);
+    graph.add(new TemporalPass);
     graph.add(new CompositePass);
     graph.add(new ForwardPass);
 }

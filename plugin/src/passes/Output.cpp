@@ -73,9 +73,9 @@ Requirement DisplayPass::require(const FrameContext& c) const
 {
     Requirement display = requirePicture(c);
     display.unless(c.facts.surfaces.deferred == 0, c.facts.whyNoneIsDeferred());
-    display.unless(c.settings.antialias == Settings::ANTIALIAS_OFF, "edges are not smoothed");
+    display.unless(c.settings.antialias == Settings::ANTIALIAS_OFF, "the picture is not smoothed");
     display.unless(c.settings.output == Settings::LINEAR, "the host gets linear radiance, pixel by pixel");
-    return display.because("edges are smoothed");
+    return display.because("the picture is smoothed");
 }
 
 void DisplayPass::setup(PassBuilder& b, FrameContext& c)
@@ -98,7 +98,13 @@ void CompositePass::setup(PassBuilder& b, FrameContext& c)
     b.readGBuffer();
     b.settings<OutputSettings>();
     b.define("BACKGROUND", c.background != Settings::BACKGROUND_OFF);
-    if (b.read("display", "displayMap")) {
+    if (c.shownPicture.valid()) {
+        b.define("ANTIALIASED");
+        b.define("TEMPORAL");
+        b.read(c.shownPicture, "displayMap");
+        b.read(c.shownPlaces, "placeMap");
+        if (c.background == Settings::BACKGROUND_OFF) b.blendOverHost();
+    } else if (b.read("display", "displayMap")) {
         b.define("ANTIALIASED");
         b.define("ACCUMULATED", c.hasFirstFrame());
         if (c.background == Settings::BACKGROUND_OFF) b.blendOverHost();

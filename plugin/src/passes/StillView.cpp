@@ -101,11 +101,7 @@ void StillView::update(FrameContext& c)
     if (!a.adds()) return;
     c.stillMaps = &updateMaps(c, _all, nullptr);
     if (c.nearSkyMaps) c.stillNearMaps = &updateMaps(c, _near, c.nearSkyMaps);
-    // What is drawn forward has no offset, nor has a background of the host's.
-    if (c.facts.surfaces.forward == 0 && c.background != Settings::BACKGROUND_OFF) {
-        const osg::Vec2d offset = r2Point(a.frames()) - osg::Vec2d(0.5, 0.5);
-        c.subpixel = osg::Vec2d(2.0 * offset[0] / c.width(), 2.0 * offset[1] / c.height());
-    }
+    if (c.canShift()) c.shift(r2Point(a.frames()));
 }
 
 ShadowAtlas& StillView::updateMaps(const FrameContext& c, AtlasOwner& owner, const ShadowAtlas* near) const

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "passes/Temporal.h"
+
+#include "base/R2Points.h"
+#include "passes/Inputs.h"
+
+#include <osgUtil/CullVisitor>
+
+namespace osgEnvLight
+{
+
+Requirement TemporalPass::require(const FrameContext& c) const
+{
+    Requirement temporal;
+    temporal.unless(c.settings.antialias != Settings::ANTIALIAS_TEMPORAL, "frames stand for themselves");
+    temporal.unless(c.settings.view != Settings::BEAUTY, "an intermediate is shown");
+    temporal.unless(c.settings.output == Settings::LINEAR, "the host gets linear radiance, pixel by pixel");
+    temporal.unless(c.facts.surfaces.deferred == 0, c.facts.whyNoneIsDeferred());
+    return temporal.because("edges, and what flickers, averaged over frames");
+}
+
+void TemporalPass::update(FrameContext& c)
+{
+    _continues = _former.viewport == c.viewport && _former.number + 1 == c.number;
+    if (_continues && !c.hasFirstFrame() && c.canShift()) c.shift(r2Point(c.number));
+}
+
+void TemporalPass::setup(PassBuilder& b, FrameContext& c)
+{
+    const TextureDesc picture{GL_RGBA16, 0, true, false, true};
+    const TextureDesc distance{GL_R32F, 0, true};
+    const TextureId pictures[2] = {b.create("history", picture), b.create("other history", picture)};
+    const TextureId places[2] = {b.create("history places", distance), b.create("other history places", distance)};
+    const int former = _side;
+    _side = 1 - _side;
+    b.read("display", "displayMap");
+    b.read("depth", "depthMap");
+    b.define("ACCUMULATED", c.hasFirstFrame());
+    if (_continues) {
+        b.define("HISTORY");
+        b.read(pictures[former], "historyMap");
+        b.read(places[former], "placeMap");
+        const osg::Matrixd formerEyeFromEye = c.worldFromEye * osg::Matrixd::inverse(_former.worldFromEye);
+        b.frameUniforms(&c.frame.historyState(formerEyeFromEye, _former.projection));
+    }
+    b.write(pictures[_side]);
+    b.write(places[_side]);
+    c.shownPicture = pictures[_side];
+    c.shownPlaces = places[_side];
+    _former = {c.number, c.worldFromEye, *c.cv.getProjectionMatrix(), c.viewport};
+}
+
+void TemporalPass::dismiss(FrameContext&)
+{
+    _former = Former();
+}
+
+}  // namespace osgEnvLight

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// What a moving view shows: a pan, beside means of 4 x 4 samples a pixel from the same places, in display values.
+//   envlight_motion_study [SCENE:MAP]... [NAME=VALUE]...
+// Columns: root mean square error in a pan of .25 pixels a frame, how much of it changes from frame to frame (the standard
+// deviation over four frames, in which nothing moves by more than a pixel), the error in a pan of 2.3 pixels, and milliseconds
+// a frame. Scenes and maps are those of the image suite, settings those of the nodekit.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+#include <vector>
+
+#include "SceneRenderer.h"
+#include "SuiteScenes.h"
+
+namespace
+{
+
+const int width = 256, height = 192;
+const double slowly = 0.25, fast = 2.3;  // pixels a frame
+const int finer = 4;                     // samples along each side of a pixel of the truth
+const int before = 16, judged = 4;       // frames of a pan
+
+struct Row {
+    std::string scene, map;
+    std::vector<std::string> settings;
+};
+
+struct View {
+    suite::SuiteScene scene;
+    osg::Matrixd turn(double pixels) const
+    {
+        const double pixel = 2.0 * std::tan(osg::DegreesToRadians(scene.fovy) / 2.0) / height;
+        return osg::Matrixd::rotate(pixels * pixel, 0, 0, 1);
+    }
+    void aim(SceneRenderer& renderer, double pixels) const
+    {
+        renderer.lookAt(scene.eye, scene.eye + (scene.target - scene.eye) * turn(pixels), osg::Vec3d(0, 0, 1), scene.fovy);
+    }
+};
+
+View viewOf(const Row& row)
+{
+    View view{suite::makeScene(row.scene)};
+    osgEnvLight::LitScene* lit = view.scene.lit.get();
+    if (!lit || !suite::setMap(*lit, row.map)) throw std::runtime_error(row.scene + " or " + row.map + " is not installed");
+    osgEnvLight::Settings& s = *lit->getSettings();
+    s.output = osgEnvLight::Settings::DISPLAY;
+    s.dither = false;
+    s.accumulate = false;
+    for (const std::string& given : row.settings) {
+        std::string error;
+        if (!s.set(given.substr(0, given.find('=')), given.substr(given.find('=') + 1), error)) throw std::runtime_error(error);
+    }
+    return view;
+}
+
+void settle(SceneRenderer& renderer, const View& view)
+{
+    view.aim(renderer, 0.0);
+    renderer.render(view.scene.lit.get(), 2);
+    for (int i = 0; i < 100 && view.scene.lit->regenerating(); ++i) renderer.render(view.scene.lit.get(), 4);
+}
+
+Picture shrunk(const Picture& large)
+{
+    Picture p(width, height);
+    for (int y = 0; y < height * finer; ++y)
+        for (int x = 0; x < width * finer; ++x)
+            for (int k = 0; k < 4; ++k)
+                p.rgba[size_t(4 * (y / finer * width + x / finer) + k)] +=
+                    large.rgba[size_t(4 * (y * width * finer + x) + k)] / float(finer * finer);
+    return p;
+}
+
+std::vector<Picture> truthOf(Row row, double speed)
+{
+    row.settings.emplace_back("antialias=off");
+    const View view = viewOf(row);
+    SceneRenderer renderer(width * finer, height * finer);
+    settle(renderer, view);
+    std::vector<Picture> all;
+    for (int i = 0; i < judged; ++i) {
+        view.aim(renderer, speed * (before + i));
+        all.push_back(shrunk(renderer.render(view.scene.lit.get(), 1)));
+    }
+    return all;
+}
+
+struct Error {
+    double rms = 0.0, flicker = 0.0, milliseconds = 0.0;
+};
+
+Error errorOf(const Row& row, double speed, const std::vector<Picture>& truth)
+{
+    const View view = viewOf(row);
+    SceneRenderer renderer(width, height);
+    settle(renderer, view);
+    std::vector<Picture> all;
+    const auto start = std::chrono::steady_clock::now();
+    for (int i = 0; i < before + judged; ++i) {
+        view.aim(renderer, speed * i);
+        const Picture picture = renderer.render(view.scene.lit.get(), 1);
+        if (i >= before) all.push_back(picture);
+    }
+    Error e;
+    e.milliseconds =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count() / (before + judged);
+    double squares = 0.0, variances = 0.0;
+    for (size_t i = 0; i < size_t(width * height * 4); ++i) {
+        if (i % 4 == 3) continue;
+        double sum = 0.0, sum2 = 0.0;
+        for (size_t k = 0; k < size_t(judged); ++k) {
+            const double d = double(all[k].rgba[i]) - double(truth[k].rgba[i]);
+            sum += d / judged;
+            sum2 += d * d / judged;
+        }
+        squares += sum2;
+        variances += std::max(0.0, sum2 - sum * sum);
+    }
+    e.rms = 100.0 * std::sqrt(squares / (3.0 * width * height));
+    e.flicker = 100.0 * std::sqrt(variances / (3.0 * width * height));
+    return e;
+}
+
+void measure(const Row& row)
+{
+    const std::vector<Picture> slowTruth = truthOf(row, slowly), fastTruth = truthOf(row, fast);
+    std::printf("%s %s\n", row.scene.c_str(), row.map.c_str());
+    for (const char* kind : {"off", "edges", "temporal"}) {
+        Row r = row;
+        r.settings.push_back(std::string("antialias=") + kind);
+        const Error slow = errorOf(r, slowly, slowTruth);
+        std::printf("  %-10s %7.3f %7.3f %7.3f %7.0f\n", kind, slow.rms, slow.flicker, errorOf(r, fast, fastTruth).rms,
+                    slow.milliseconds);
+        std::fflush(stdout);
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+try {
+    std::vector<std::string> rows, settings;
+    for (const std::string& argument : std::vector<std::string>(argv + 1, argv + argc))
+        (argument.find('=') == std::string::npos ? rows : settings).push_back(argument);
+    if (rows.empty()) rows = {"chess:sky", "atrium:sky", "spheres:studio", "spheres:courtyard"};
+    std::printf("%-12s %7s %7s %7s %7s\n", "in % of white", "error", "flicker", "fast", "ms");
+    for (const std::string& row : rows) measure({row.substr(0, row.find(':')), row.substr(row.find(':') + 1), settings});
+} catch (const std::exception& e) {
+    std::cerr << "envlight_motion_study: " << e.what() << '\n';
+    return 1;
+}
