@@ -39,7 +39,7 @@ struct TextureDesc {
     int side = 0;         // of a square one [pixels]; 0: as large as the view
     bool kept = false;    // what is in it stays from frame to frame
     bool half = false;    // a texel for each 2x2 pixels of the view
-    bool linear = false;  // look-ups between texels are
+    bool linear = false;  // look-ups between texels interpolate
 };
 
 /** A draw of something else than a triangle over the target, with the camera whose callbacks bind what it draws into. */

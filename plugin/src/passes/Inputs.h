@@ -34,6 +34,8 @@ namespace osgEnvLight
 //   indirect, mirrored                  what other surfaces send to a pixel, and from about the mirror direction
 //   radiance                            the sum of the terms over what is behind the scene
 //   average, average of squares         of a still view's frames
+//   display                             the picture in display values
+//   history, other history              its average over frames, by turns; history places, other history places: of its surfaces
 
 /** A texture that a still view's later frames read again as its first one left it. */
 TextureDesc ofFirstFrame(const FrameContext& context, GLint format, int side = 0);

@@ -98,15 +98,14 @@ void CompositePass::setup(PassBuilder& b, FrameContext& c)
     b.readGBuffer();
     b.settings<OutputSettings>();
     b.define("BACKGROUND", c.background != Settings::BACKGROUND_OFF);
-    if (c.shownPicture.valid()) {
+    const bool averaged = c.shownPicture.valid();
+    const TextureId picture = averaged ? c.shownPicture : b.find("display");
+    if (picture.valid()) {
         b.define("ANTIALIASED");
-        b.define("TEMPORAL");
-        b.read(c.shownPicture, "displayMap");
-        b.read(c.shownPlaces, "placeMap");
-        if (c.background == Settings::BACKGROUND_OFF) b.blendOverHost();
-    } else if (b.read("display", "displayMap")) {
-        b.define("ANTIALIASED");
-        b.define("ACCUMULATED", c.hasFirstFrame());
+        b.read(picture, "displayMap");
+        b.define("TEMPORAL", averaged);
+        if (averaged) b.read(c.shownPlaces, "placeMap");
+        b.define("ACCUMULATED", !averaged && c.hasFirstFrame());
         if (c.background == Settings::BACKGROUND_OFF) b.blendOverHost();
     } else if (!readShown(b, c)) {
         b.define("VIEW_TERM");
