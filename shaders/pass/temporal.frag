@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // The picture, averaged over the frames before: each pixel's surface is looked up where the picture before showed it, and what
 // is found there is bounded by what is about the pixel now.
-#pragma import_defines(HISTORY, ACCUMULATED)
+#pragma import_defines(HISTORY, ACCUMULATED, MOTION)
 
 #include "lib/colorbox.glsl"
 #include "lib/depth.glsl"
@@ -23,6 +23,9 @@ uniform float accumulatedShare;
 uniform mat4 formerEyeFromEye;
 uniform mat4 formerProjection;
 uniform vec2 subpixel;  // shift of this frame's picture
+#endif
+#ifdef MOTION
+uniform sampler2D motionMap;  // of what has moved [pass/motion.frag]
 #endif
 
 layout(location = 0) out vec4 shown;
@@ -103,6 +106,18 @@ vec4 sharpHistory(vec2 uv)
     return sum / (w12.x * w12.y + w12.x * (w0.y + w3.y) + w12.y * (w0.x + w3.x));
 }
 
+// As pass/motion.frag has it.
+vec4 motionOf(ivec2 p, vec3 place)
+{
+#ifdef MOTION
+    vec4 motion = texelFetch(motionMap, p, 0);
+    if (motion.w > 0.0) return motion;
+#endif
+    vec3 former = vec3(formerEyeFromEye * vec4(place, 1.0));
+    vec4 clip = formerProjection * vec4(former, 1.0);
+    return vec4(0.5 * (clip.xy / clip.w - (pixelNdc(p) - subpixel)), place.z - former.z, 0.0);
+}
+
 // Distances before the eye of what the picture before showed about a pixel: least and greatest.
 vec2 formerDistances(ivec2 q)
 {
@@ -131,19 +146,17 @@ void main()
 #elif defined(HISTORY)
     Neighbours n = neighboursOf(p);
     vec3 nearest = eyeAt(n.nearest, n.depth.x);
-    vec3 former = vec3(formerEyeFromEye * vec4(nearest, 1.0));
-    vec4 clip = formerProjection * vec4(former, 1.0);
-    vec2 uv = (vec2(p) + 0.5) / viewportSize + 0.5 * (clip.xy / clip.w - (pixelNdc(n.nearest) - subpixel));
+    vec4 motion = motionOf(n.nearest, nearest);
+    vec2 uv = (vec2(p) + 0.5) / viewportSize + motion.xy;
     bool inside = min(uv.x, uv.y) >= 0.0 && max(uv.x, uv.y) < 1.0; // of NaN: false
     ivec2 q = inside ? ivec2(uv * viewportSize) : p;
 
     // Nothing about the place there is where this pixel's surfaces were: they have just come into view.
-    float approach = nearest.z - former.z;
     float footprint = pixelFootprint(inverseProjection, pixelNdc(n.nearest), min(n.depth.x, 0.999999), viewportSize);
-    float tolerance = HISTORY_TOLERANCE * abs(former.z) + 2.0 * footprint;
+    float least = motion.z - nearest.z;
+    float tolerance = HISTORY_TOLERANCE * abs(least) + 2.0 * footprint;
     vec2 distances = formerDistances(q);
-    float least = approach - nearest.z;
-    float greatest = approach - eyeAt(p, n.depth.y).z;
+    float greatest = motion.z - eyeAt(p, n.depth.y).z;
     inside = inside && distances.y >= least - tolerance && distances.x <= greatest + tolerance;
     if (inside) {
         vec4 history = sharpHistory(uv);
@@ -151,6 +164,8 @@ void main()
         history = vec4(bounded, clamp(history.a, n.coverage.x, n.coverage.y));
         age = min(placeAge(texelFetch(placeMap, q, 0).r) + 1, HISTORY_FRAMES);
         shown = mix(history, shown, 1.0 / float(age));
+    } else {
+        shown = textureLod(displayMap, (vec2(p) + 0.5) / viewportSize + 0.5 * subpixel, 0.0);  // not shifted
     }
 #endif
     place = packPlace(-eyeAt(p, depth).z, age);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What a moving view shows: a pan, beside means of 4 x 4 samples a pixel from the same places, in display values.
+// What a moving picture shows, beside means of 4 x 4 samples a pixel of the same moments, in display values.
 //   envlight_motion_study [SCENE:MAP]... [NAME=VALUE]...
-// Columns: root mean square error in a pan of .25 pixels a frame, how much of it changes from frame to frame (the standard
-// deviation over four frames, in which nothing moves by more than a pixel), the error in a pan of 2.3 pixels, and milliseconds
-// a frame. Scenes and maps are those of the image suite, settings those of the nodekit.
+// Each first as the view pans, then, without shadows, as the scene turns about the eye and the view stands still.
+// Columns: root mean square error at .25 pixels a frame, how much of it changes from frame to frame (the standard deviation over
+// four frames, in which nothing moves by more than a pixel), the error at 2.3 pixels, and milliseconds a frame. Scenes and maps
+// are those of the image suite, settings those of the nodekit.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -13,6 +14,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include <osg/MatrixTransform>
 #include "SceneRenderer.h"
 #include "SuiteScenes.h"
 
@@ -27,10 +29,12 @@ const int before = 16, judged = 4;       // frames of a pan
 struct Row {
     std::string scene, map;
     std::vector<std::string> settings;
+    bool turnsScene = false;
 };
 
 struct View {
     suite::SuiteScene scene;
+    osg::ref_ptr<osg::MatrixTransform> turned;  // null: the view pans
     osg::Matrixd turn(double pixels) const
     {
         const double pixel = 2.0 * std::tan(osg::DegreesToRadians(scene.fovy) / 2.0) / height;
@@ -38,16 +42,28 @@ struct View {
     }
     void aim(SceneRenderer& renderer, double pixels) const
     {
+        if (turned) {
+            turned->setMatrix(osg::Matrixd::translate(-scene.eye) * turn(-pixels) * osg::Matrixd::translate(scene.eye));
+            pixels = 0.0;
+        }
         renderer.lookAt(scene.eye, scene.eye + (scene.target - scene.eye) * turn(pixels), osg::Vec3d(0, 0, 1), scene.fovy);
     }
 };
 
 View viewOf(const Row& row)
 {
-    View view{suite::makeScene(row.scene)};
+    View view{suite::makeScene(row.scene), nullptr};
     osgEnvLight::LitScene* lit = view.scene.lit.get();
     if (!lit || !suite::setMap(*lit, row.map)) throw std::runtime_error(row.scene + " or " + row.map + " is not installed");
     osgEnvLight::Settings& s = *lit->getSettings();
+    if (row.turnsScene) {
+        view.turned = new osg::MatrixTransform;
+        for (unsigned i = 0; i < lit->getNumChildren(); ++i) view.turned->addChild(lit->getChild(i));
+        lit->removeChildren(0, lit->getNumChildren());
+        lit->addChild(view.turned);
+        s.occlusion = false;  // maps of all that casts shadows, drawn in each frame, take minutes
+        s.bounce = osgEnvLight::Settings::BOUNCE_OFF;
+    }
     s.output = osgEnvLight::Settings::DISPLAY;
     s.dither = false;
     s.accumulate = false;
@@ -129,7 +145,7 @@ Error errorOf(const Row& row, double speed, const std::vector<Picture>& truth)
 void measure(const Row& row)
 {
     const std::vector<Picture> slowTruth = truthOf(row, slowly), fastTruth = truthOf(row, fast);
-    std::printf("%s %s\n", row.scene.c_str(), row.map.c_str());
+    std::printf("%s %s%s\n", row.scene.c_str(), row.map.c_str(), row.turnsScene ? ", the scene turns" : "");
     for (const char* kind : {"off", "edges", "temporal"}) {
         Row r = row;
         r.settings.push_back(std::string("antialias=") + kind);
@@ -149,7 +165,9 @@ try {
         (argument.find('=') == std::string::npos ? rows : settings).push_back(argument);
     if (rows.empty()) rows = {"chess:sky", "atrium:sky", "spheres:studio", "spheres:courtyard"};
     std::printf("%-12s %7s %7s %7s %7s\n", "in % of white", "error", "flicker", "fast", "ms");
-    for (const std::string& row : rows) measure({row.substr(0, row.find(':')), row.substr(row.find(':') + 1), settings});
+    for (const std::string& row : rows)
+        for (const bool turnsScene : {false, true})
+            measure({row.substr(0, row.find(':')), row.substr(row.find(':') + 1), settings, turnsScene});
 } catch (const std::exception& e) {
     std::cerr << "envlight_motion_study: " << e.what() << '\n';
     return 1;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Edges of what a display is sent.
-#include <SceneRenderer.h>
-
-#include <osgEnvLight/Material>
+#include "SmoothedCard.h"
 
 #include <gtest/gtest.h>
 
@@ -14,54 +12,10 @@ namespace Antialias_test
 
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
+using namespace smoothed;
 
 namespace
 {
-
-// A dark card below a slanted edge, in a scene whose map is behind it or not.
-osg::ref_ptr<LitScene> card(int antialias, bool background)
-{
-    osg::ref_ptr<LitScene> lit = makeLit(constantMap(1.0).get());
-    Settings& s = *lit->getSettings();
-    s.output = Settings::DISPLAY;
-    s.dither = false;
-    s.occlusion = false;
-    s.antialias = antialias;
-    s.background = background ? Settings::BACKGROUND_ON : Settings::BACKGROUND_OFF;
-    const double a = osg::DegreesToRadians(7.0);
-    const osg::Vec3d x(std::cos(a), 0, std::sin(a)), z(-std::sin(a), 0, std::cos(a));
-    const osg::ref_ptr<osg::Geode> quad = makeQuad(x * -10 - z * 20, x * 20, z * 20);
-    osgEnvLight::Material::setLambert(*quad->getOrCreateStateSet(), osg::Vec3f(0.05f, 0.05f, 0.05f));
-    lit->addChild(quad);
-    return lit;
-}
-
-const int size = 64;
-
-Picture draw(SceneRenderer& renderer, const osg::ref_ptr<LitScene>& lit, const osg::Vec4& clearColor, int frames)
-{
-    renderer.viewer().getCamera()->setClearColor(clearColor);
-    renderer.lookAt(osg::Vec3d(0, -4, 0), osg::Vec3d(), osg::Vec3d(0, 0, 1), 40.0);
-    return renderer.render(lit, frames);
-}
-
-Picture draw(const osg::ref_ptr<LitScene>& lit, const osg::Vec4& clearColor, int width = size, int frames = 2)
-{
-    SceneRenderer renderer(width, width);
-    return draw(renderer, lit, clearColor, frames);
-}
-
-// Means over squares of pixels of a picture that is so many times as wide.
-Picture shrunk(const Picture& large, int factor)
-{
-    Picture p(size, size);
-    for (int y = 0; y < size * factor; ++y)
-        for (int x = 0; x < size * factor; ++x)
-            for (int k = 0; k < 4; ++k)
-                p.rgba[size_t(4 * (y / factor * size + x / factor) + k)] +=
-                    large.rgba[size_t(4 * (y * size * factor + x) + k)] / float(factor * factor);
-    return p;
-}
 
 double rmse(const Picture& a, const Picture& b)
 {
@@ -144,12 +98,7 @@ TEST(Antialias, AStillViewConvergesToWhatItDoesWithout)
         EXPECT_LT(rmse(convergedStillView(antialias), without), 0.002) << antialias;
 }
 
-// Root mean squares of a pan's errors beside its coverage, and of how much these change from frame to frame.
-struct PanErrors {
-    double error, change;
-};
-
-PanErrors panErrors(int antialias, bool bars)
+MovingErrors panErrors(int antialias, bool bars)
 {
     const int before = 12, judged = 4;
     const auto pan = [&](int kind, int factor) {
@@ -172,18 +121,7 @@ PanErrors panErrors(int antialias, bool bars)
     };
     const std::vector<Picture> truth = pan(Settings::ANTIALIAS_OFF, 8);
     const std::vector<Picture> shown = pan(antialias, 1);
-    double squares = 0.0, variances = 0.0;
-    for (size_t i = 0; i < shown[0].rgba.size(); ++i) {
-        double sum = 0.0, sum2 = 0.0;
-        for (size_t k = 0; k < shown.size(); ++k) {
-            const double d = double(shown[k].rgba[i]) - double(truth[k].rgba[i]);
-            sum += d / judged;
-            sum2 += d * d / judged;
-        }
-        squares += sum2;
-        variances += sum2 - sum * sum;
-    }
-    return {std::sqrt(squares), std::sqrt(variances)};
+    return errorsOf(shown, truth);
 }
 
 // Of a lone straight edge and of bars narrower than a pixel. Measured .60 and .75 of the error without, .42 and .56 of its
@@ -192,8 +130,8 @@ PanErrors panErrors(int antialias, bool bars)
 TEST(Antialias, AMovingViewIsNearerToItsCoverageAndSteadierThanWithout)
 {
     for (const bool bars : {false, true}) {
-        const PanErrors off = panErrors(Settings::ANTIALIAS_OFF, bars);
-        const PanErrors temporal = panErrors(Settings::ANTIALIAS_TEMPORAL, bars);
+        const MovingErrors off = panErrors(Settings::ANTIALIAS_OFF, bars);
+        const MovingErrors temporal = panErrors(Settings::ANTIALIAS_TEMPORAL, bars);
         EXPECT_LT(temporal.error, 0.85 * off.error) << bars;
         EXPECT_LT(temporal.change, 0.65 * off.change) << bars;
     }

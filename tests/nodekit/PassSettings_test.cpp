@@ -11,6 +11,7 @@
 #include <osgEnvLight/SurfaceProgram>
 
 #include <osg/LightSource>
+#include <osg/MatrixTransform>
 #include <osg/Material>
 #include <osg/Program>
 #include <osgUtil/CullVisitor>
@@ -119,7 +120,7 @@ Found settingsOf(const std::set<StateSets>& drawn, osg::State& state)
     return found;
 }
 
-constexpr unsigned farBox = 2;  // a child's number; a moved ball and the glass are the next
+constexpr unsigned coatedBox = 1, farBox = 2;  // children's numbers; a moved ball and the glass are the next
 
 // Of all that passes are there for, with part of the scene far away.
 osg::ref_ptr<WatchedScene> makeScene()
@@ -137,7 +138,9 @@ osg::ref_ptr<WatchedScene> makeScene()
     const osg::ref_ptr<osg::Geode> coated = makeBox(osg::Vec3d(0, -0.5, -0.5), osg::Vec3d(1, 0.5, 0.5));
     osgEnvLight::Material::setCookTorrance(*coated->getOrCreateStateSet(), osg::Vec3f(0.5f, 0.5f, 0.5f), 0.0f, 0.5f);
     osgEnvLight::Material::setCoat(*coated->getOrCreateStateSet(), 1.0f);
-    lit->addChild(coated);
+    const osg::ref_ptr<osg::MatrixTransform> place = new osg::MatrixTransform;
+    place->addChild(coated);
+    lit->addChild(place);
     lit->addChild(makeBox(osg::Vec3d(999, 0, 0), osg::Vec3d(1000, 1, 1)));  // farBox
     const osg::ref_ptr<osg::Geode> moved = makeSphere(osg::Vec3d(0, 0, 0.6), 0.1, 8);
     moved->getOrCreateStateSet()->setAttributeAndModes(
@@ -179,6 +182,8 @@ TEST(PassSettings, EveryPassHasThoseThatItsShaderReads)
     s.accumulate = false;
     s.antialias = Settings::ANTIALIAS_TEMPORAL;
     renderer.render(lit.get(), 2);
+    static_cast<osg::MatrixTransform&>(*lit->getChild(coatedBox)).setMatrix(osg::Matrixd::translate(0.1, 0, 0));
+    renderer.render(lit.get(), 1);
     s.combine = Settings::SUBTRACT;
     s.output = Settings::LINEAR;
     for (s.view = Settings::DIFFUSE; s.view < Settings::NUM_VIEWS; ++s.view) renderer.render(lit.get(), 1);

@@ -12,6 +12,7 @@
 #include "shadow/EmitterMaps.h"
 #include "shadow/ShadowAtlas.h"
 #include "shadow/SunShadows.h"
+#include "surface/CasterMotion.h"
 #include "surface/FogValues.h"
 
 #include <osgEnvLight/GBuffer>
@@ -29,6 +30,12 @@ namespace osgEnvLight
 
 class DepthProbe;
 struct Caustics;
+
+/** How the view saw the frame before. */
+struct FormerFrame {
+    osg::Matrixd worldFromEye, projection;
+    osg::ref_ptr<const osg::Viewport> viewport;  // of FrameContext; null: there was none
+};
 
 /** One frame of one view, while it is culled: what the host gives, what the scene needs, and what passes have found for those
  * after them. */
@@ -52,7 +59,9 @@ struct FrameContext {
     double radianceScale = 0.0;  // the map's mean radiance times its intensity
     double baseStops = 0.0;      // the exposure that the picture has before the setting's stops
     DepthConvention depth = {};  // the host's
+    const FormerFrame* former = nullptr;  // null: there was none of this size
     std::vector<Caster> casters = {};
+    std::vector<MovedCaster> moved = {};  // where the picture is averaged over frames
     SceneLightList lights = {};                // of the application that are switched on
     std::vector<Emitter> areaLights = {};      // in the world
     int background = Settings::BACKGROUND_ON;  // never AUTO

@@ -235,7 +235,9 @@ osg::StateSet& FrameGraph::stateOf(const Node& node, FrameContext& c)
     s.setName("osgEnvLight " + name);
     for (const std::string& d : in.defines) s.setDefine(d);
     for (const auto& u : in.uniforms) s.addUniform(u.get());
-    s.setAttribute(c.shaders.program("pass/fullscreen.vert", std::string("pass/") + node.pass->shader() + ".frag"), fixedOn);
+    const std::string folder = "pass/";
+    s.setAttribute(c.shaders.program(folder + node.pass->vertexShader() + ".vert", folder + node.pass->shader() + ".frag"),
+                   fixedOn);
     for (GLenum mode : {GLenum(GL_BLEND), GLenum(GL_CULL_FACE), GLenum(GL_LIGHTING), GLenum(GL_ALPHA_TEST)})
         s.setMode(mode, fixedOff);
     for (GLenum plane = GL_CLIP_PLANE0; plane < GL_CLIP_PLANE0 + 6; ++plane) s.setMode(plane, fixedOff);

@@ -72,14 +72,9 @@ void FullScreen::clearTargets() const
     }
 }
 
-void FullScreen::drawImplementation(osg::RenderInfo& renderInfo) const
+void FullScreen::uploadUniforms(const osg::State& state) const
 {
-    osg::State& state = *renderInfo.getState();
-    osg::ref_ptr<ContextWatch::Listener> listener;
-    if (owner.lock(listener)) ContextWatch::add(state, listener.get());
-    const osg::Program::PerContextProgram* program = state.getLastAppliedProgramObject();
-    if (!program) return;  // it has reported why
-    const Uploader upload(*program, *state.get<osg::GLExtensions>());
+    const Uploader upload(*state.getLastAppliedProgramObject(), *state.get<osg::GLExtensions>());
     const osg::Matrixd projection =
         osg::Matrixd(state.getProjectionMatrix()) * depth.fromHostClip() * osg::Matrixd::translate(subpixel[0], subpixel[1], 0.0);
     const osg::Matrixd eyeToWorld = osg::Matrixd::inverse(state.getInitialViewMatrix());
@@ -92,9 +87,18 @@ void FullScreen::drawImplementation(osg::RenderInfo& renderInfo) const
     upload.vec2("viewportOrigin", viewport->x(), viewport->y());
     upload.vec2("subpixel", subpixel[0], subpixel[1]);
     upload.vec2("hostDepth", depth.toHostDepth()[0], depth.toHostDepth()[1]);
+}
+
+void FullScreen::drawImplementation(osg::RenderInfo& renderInfo) const
+{
+    osg::State& state = *renderInfo.getState();
+    osg::ref_ptr<ContextWatch::Listener> listener;
+    if (owner.lock(listener)) ContextWatch::add(state, listener.get());
+    if (!state.getLastAppliedProgramObject()) return;  // it has reported why
+    uploadUniforms(state);
     timed.begin(state);
     clearTargets();
-    osg::Geometry::drawImplementation(renderInfo);
+    drawShapes(renderInfo);
     timed.end(state);
     // State knows what is bound by its address alone, and would take a later texture at a freed one's for it.
     for (unsigned unit = 0; unit < textureUnits; ++unit) state.haveAppliedTextureAttribute(unit, osg::StateAttribute::TEXTURE);

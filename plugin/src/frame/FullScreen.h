@@ -46,6 +46,12 @@ class OSGENVLIGHT_EXPORT FullScreen : public osg::Geometry
     };
     std::vector<Clear> clears;
 
+  protected:
+    /** Draw what covers the pixels, with the program that has the uniforms. */
+    virtual void drawShapes(osg::RenderInfo& renderInfo) const { osg::Geometry::drawImplementation(renderInfo); }
+    /** Upload the uniforms that depend on the host's projection to the program in use. */
+    void uploadUniforms(const osg::State& state) const;
+
   private:
     void clearTargets() const;
 };

@@ -23,6 +23,9 @@ class OSGENVLIGHT_EXPORT RenderPass : public osg::Referenced
     /** Passes that do the same to other textures share a shader. */
     virtual const char* shader() const { return name(); }
 
+    /** Without ".vert". */
+    virtual const char* vertexShader() const { return "fullscreen"; }
+
     /** Whether the view needs it in this frame. */
     virtual Requirement require(const FrameContext& context) const = 0;
 

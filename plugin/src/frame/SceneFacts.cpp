@@ -55,6 +55,15 @@ Requirement decideSunMaps(const SceneFacts& f, const Settings& s, const Requirem
     return maps.because("maps of " + side + " x " + side + " of " + counted(f.casters, "drawable") + ", drawn when they change");
 }
 
+Requirement decideAverage(const SceneFacts& f, const Settings& s)
+{
+    Requirement average;
+    average.unless(s.antialias != Settings::ANTIALIAS_TEMPORAL, "frames stand for themselves");
+    average.unless(s.view != Settings::BEAUTY, "an intermediate is shown");
+    average.unless(s.output == Settings::LINEAR, "the host gets linear radiance, pixel by pixel");
+    return average.unless(f.surfaces.deferred == 0, f.whyNoneIsDeferred());
+}
+
 // What keeps the map's light from a surface, whoever says so.
 Requirement decideHidden(const SceneFacts& f, const Settings& s, const Decisions& d)
 {
@@ -121,10 +130,16 @@ bool Decisions::wantsEmitterMaps(const Settings& s)
     return (s.diffuse || s.specular) && s.occlusion && s.visibility != Settings::VISIBILITY_NONE;
 }
 
+bool Decisions::wantsAverage(const Settings& s)
+{
+    return s.antialias == Settings::ANTIALIAS_TEMPORAL && s.view == Settings::BEAUTY && s.output == Settings::DISPLAY;
+}
+
 Decisions Decisions::make(const SceneFacts& f, const Settings& s)
 {
     Decisions d;
     d.light = decideLight(f, s);
+    d.average = decideAverage(f, s);
     d.suns = decideSuns(f, s);
     d.sunDiffuse = d.suns.needed && s.suns == Settings::SUNS_AUTO && !f.carrier.given;  // whose list has them
     d.suns.because(describeSuns(f.suns, d.sunDiffuse));

@@ -38,6 +38,7 @@ struct OSGENVLIGHT_EXPORT Decisions {
     Requirement sunMaps;                // their shadow maps
     Requirement atlas;                  // shadow maps of the map's lights: the sky shadow atlas
     Requirement occlusion;              // of the surfaces in the G-buffer
+    Requirement average;                // of the picture, over the frames before
     bool sunDiffuse = false;            // suns are in D too, not only in S
     bool screen = false;                // the depth buffer says what occludes, alone or beside the atlas
     unsigned occlusionLights = 0;       // a multiple of 16
@@ -51,6 +52,8 @@ struct OSGENVLIGHT_EXPORT Decisions {
     static bool wantsSunMaps(const Settings& settings);
     /** Whether they leave it to the casters if area lights have shadow maps. */
     static bool wantsEmitterMaps(const Settings& settings);
+    /** Whether they leave it to the surfaces if the picture is averaged over frames. */
+    static bool wantsAverage(const Settings& settings);
 };
 
 /** "3 lights", "1 light" */

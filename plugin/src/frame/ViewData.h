@@ -2,6 +2,7 @@
 #pragma once
 
 #include "frame/AtlasLights.h"
+#include "frame/FrameContext.h"
 #include "frame/FrameGraph.h"
 #include "frame/FrameResources.h"
 #include "surface/MeshLights.h"
@@ -57,7 +58,9 @@ class OSGENVLIGHT_EXPORT ViewData : public osg::Referenced
     osg::ref_ptr<const Accumulation> still;
     bool unsettled = false;    // further frames would change the picture by themselves
     unsigned seenUpdates = 0;  // of the node, at the last cull
+    FormerFrame former;
     CasterCollector::StateSets casterStates;
+    CasterMotion casterMotion;
     std::vector<Emitter> areaLights;  // AreaLights of the last cull, in the world
     MeshLights meshLights;
     SceneLightList lateLights;  // of LightSources behind the node in the graph

@@ -12,7 +12,7 @@ namespace
 
 const char* const movedVertices = "osgEnvLight moved vertices";
 
-osg::ref_ptr<osg::Shader> ours(osg::Shader::Type type, const char* name)
+osg::ref_ptr<osg::Shader> ours(osg::Shader::Type type, const std::string& name)
 {
     const osg::ref_ptr<ShaderLibrary> library = new ShaderLibrary(nullptr);
     std::string text = library->expand(name).text;
@@ -45,13 +45,14 @@ const osg::Shader* SurfaceProgram::vertexShaderOf(const osg::Program& program)
     return nullptr;
 }
 
-osg::ref_ptr<osg::Program> casterProgram(const osg::Program& moving)
+osg::ref_ptr<osg::Program> passProgram(const osg::Program& moving, const std::string& pass)
 {
     const osg::ref_ptr<osg::Program> program = new osg::Program;
-    program->setName("osgEnvLight pass/caster.frag");
+    const std::string path = "pass/" + pass;
+    program->setName("osgEnvLight " + path + ".frag");
     program->addShader(const_cast<osg::Shader*>(SurfaceProgram::vertexShaderOf(moving)));
-    program->addShader(ours(osg::Shader::VERTEX, "pass/caster.vert"));
-    program->addShader(ours(osg::Shader::FRAGMENT, "pass/caster.frag"));
+    program->addShader(ours(osg::Shader::VERTEX, path + ".vert"));
+    program->addShader(ours(osg::Shader::FRAGMENT, path + ".frag"));
     for (const auto& [name, location] : moving.getAttribBindingList()) program->addBindAttribLocation(name, location);
     for (const auto& [name, index] : moving.getUniformBlockBindingList()) program->addBindUniformBlock(name, index);
     return program;

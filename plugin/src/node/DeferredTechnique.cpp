@@ -124,6 +124,7 @@ FrameContext DeferredTechnique::contextOf(LitScene& node, LitView& vd, const Set
     const EnvironmentMap& map = *node.getEnvironmentMap();
     c.mapFromWorld = osg::Matrixd::rotate(osg::DegreesToRadians(-map.getRotation()), 0, 0, 1);
     if (host.getInitialViewMatrix()) c.worldFromEye = osg::Matrixd::inverse(*host.getInitialViewMatrix());
+    if (vd.former.viewport == vd.viewport()) c.former = &vd.former;
     c.radianceScale = textures.map().mean * map.getIntensity();
     const bool follows = settings.output == Settings::DISPLAY && settings.exposureBase == Settings::EXPOSURE_MAP;
     c.baseStops = follows ? textures.exposure() : 0.0;
@@ -142,6 +143,7 @@ void DeferredTechnique::light(FrameContext& c, LitView& vd, bool needsCarrier)
     c.decisions = Decisions::make(c.facts, c.settings);
     c.albedoTable = albedoTable(c.facts.surfaces.anisotropic());
     vd.graph.run(c);
+    vd.former = {c.worldFromEye, *c.cv.getProjectionMatrix(), c.viewport};
     vd.forgetUnused(c.frame);
     _waiting = c.waitingMaps + c.waitingBounces;
     _drawnSunMaps = c.drawnSunMaps;

@@ -112,10 +112,17 @@ bool sendsOn(const FrameContext& c)
     return c.facts.hasLamps() && c.settings.bounce != Settings::BOUNCE_OFF;
 }
 
+// What moves is shown where it was in the frame before.
+bool averages(const FrameContext& c)
+{
+    return Decisions::wantsAverage(c.settings) && c.facts.surfaces.deferred > 0;
+}
+
 bool asksForCasters(const FrameContext& c, bool sunny)
 {
     if (needsCarrier(c) && Decisions::wantsAtlas(c.settings)) return true;
     const bool hasLamps = !c.areaLights.empty() || (c.settings.sceneLightShadows && castShadows(c.lights));
+    if (averages(c)) return true;
     return (sunny || (hasLamps && Decisions::wantsEmitterMaps(c.settings))) && showsSomething(c);
 }
 
@@ -161,6 +168,10 @@ void findCasters(FrameContext& c, ViewData& data, osg::Group& node, SurfaceFacts
     } else {
         data.meshLights.clear();
     }
+    if (averages(c))
+        c.moved = data.casterMotion.update(c.casters, osg::Vec3d() * c.worldFromEye);
+    else
+        data.casterMotion.forget();
     c.facts.casters = c.casters.size();
     c.showsNothing = !showsSomething(c) && c.facts.sceneRadius > 0.0;
     if (!c.showsNothing) CasterCollector::forgetUnused(data.casterStates, c.casters);

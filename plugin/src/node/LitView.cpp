@@ -10,6 +10,7 @@
 #include "passes/LobeRays.h"
 #include "passes/Occlusion.h"
 #include "passes/Output.h"
+#include "passes/Motion.h"
 #include "passes/PixelMarks.h"
 #include "passes/SceneLights.h"
 #include "passes/SkyShadows.h"
@@ -74,6 +75,7 @@ LitView::LitView(Failure* failure, RetiredObjects* retired, SurfaceSorter* sorte
     graph.add(new AccumulatePass);
     graph.add(new StillErrorPass);
     graph.add(new DisplayPass);
+    graph.add(new MotionPass);
     graph.add(new TemporalPass);
     graph.add(new CompositePass);
     graph.add(new ForwardPass);

@@ -82,7 +82,7 @@ void DisplayPass::setup(PassBuilder& b, FrameContext& c)
 {
     readShown(b, c);
     b.settings<OutputSettings>();
-    b.write(b.create("display", {GL_RGBA16}));
+    b.write(b.create("display", {GL_RGBA16, 0, false, false, true}));
 }
 
 Requirement CompositePass::require(const FrameContext& c) const

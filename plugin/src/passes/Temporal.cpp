@@ -11,17 +11,13 @@ namespace osgEnvLight
 
 Requirement TemporalPass::require(const FrameContext& c) const
 {
-    Requirement temporal;
-    temporal.unless(c.settings.antialias != Settings::ANTIALIAS_TEMPORAL, "frames stand for themselves");
-    temporal.unless(c.settings.view != Settings::BEAUTY, "an intermediate is shown");
-    temporal.unless(c.settings.output == Settings::LINEAR, "the host gets linear radiance, pixel by pixel");
-    temporal.unless(c.facts.surfaces.deferred == 0, c.facts.whyNoneIsDeferred());
+    Requirement temporal = c.decisions.average;
     return temporal.because("edges, and what flickers, averaged over frames");
 }
 
 void TemporalPass::update(FrameContext& c)
 {
-    _continues = _former.viewport == c.viewport && _former.number + 1 == c.number;
+    _continues = c.former && _former + 1 == c.number;
     if (_continues && !c.hasFirstFrame() && c.canShift()) c.shift(r2Point(c.number));
 }
 
@@ -40,19 +36,20 @@ void TemporalPass::setup(PassBuilder& b, FrameContext& c)
         b.define("HISTORY");
         b.read(pictures[former], "historyMap");
         b.read(places[former], "placeMap");
-        const osg::Matrixd formerEyeFromEye = c.worldFromEye * osg::Matrixd::inverse(_former.worldFromEye);
-        b.frameUniforms(&c.frame.historyState(formerEyeFromEye, _former.projection));
+        const osg::Matrixd formerEyeFromEye = c.worldFromEye * osg::Matrixd::inverse(c.former->worldFromEye);
+        b.frameUniforms(&c.frame.historyState(formerEyeFromEye, c.former->projection));
+        b.define("MOTION", !c.hasFirstFrame() && b.read("motion", "motionMap"));
     }
     b.write(pictures[_side]);
     b.write(places[_side]);
     c.shownPicture = pictures[_side];
     c.shownPlaces = places[_side];
-    _former = {c.number, c.worldFromEye, *c.cv.getProjectionMatrix(), c.viewport};
+    _former = c.number;
 }
 
 void TemporalPass::dismiss(FrameContext&)
 {
-    _former = Former();
+    _former = none;
 }
 
 }  // namespace osgEnvLight

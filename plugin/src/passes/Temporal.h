@@ -3,10 +3,6 @@
 
 #include "frame/RenderPass.h"
 
-#include <osg/Matrixd>
-#include <osg/Viewport>
-#include <osg/ref_ptr>
-
 namespace osgEnvLight
 {
 
@@ -22,14 +18,9 @@ class OSGENVLIGHT_EXPORT TemporalPass : public RenderPass
     void dismiss(FrameContext& context) override;
 
   private:
-    /** Of the frame before. */
-    struct Former {
-        unsigned number = 0;
-        osg::Matrixd worldFromEye, projection;
-        osg::ref_ptr<const osg::Viewport> viewport;  // another one for another size; null: there was no frame
-    };
+    static constexpr unsigned none = ~1u;
 
-    Former _former;
+    unsigned _former = none;  // the frame that was averaged last
     bool _continues = false;  // there is a picture of the frame before
     int _side = 0;            // of the two pictures, the one that is drawn
 };

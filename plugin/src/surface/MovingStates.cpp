@@ -59,7 +59,7 @@ const MovingStates::Drawn& MovingStates::drawnBy(const osg::Program& moving)
 {
     const osg::Shader* shader = SurfaceProgram::vertexShaderOf(moving);
     Drawn& drawn = _drawn[shader];
-    if (!drawn.program) drawn = {casterProgram(moving), wordsOf(shader->getShaderSource()), followsTime(*shader)};
+    if (!drawn.program) drawn = {passProgram(moving, "caster"), wordsOf(shader->getShaderSource()), followsTime(*shader)};
     return drawn;
 }
 
