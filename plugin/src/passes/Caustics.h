@@ -1,6 +1,7 @@
 /* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
 #pragma once
 
+#include "base/Failure.h"
 #include "frame/RenderPass.h"
 #include "gl/RetiredObjects.h"
 #include "indirect/ReflectiveMaps.h"
