@@ -4,6 +4,7 @@
 #include <SceneRenderer.h>
 
 #include <osg/GLExtensions>
+#include <osg/MatrixTransform>
 
 #include <dlfcn.h>
 
@@ -18,6 +19,7 @@ namespace
 {
 
 std::atomic<int> askedIntegers{0};  // threads of other tests ask too
+std::atomic<int> madeTextures{0};
 int askedStatus = 0;
 decltype(osg::GLExtensions::glCheckFramebufferStatus) driversStatus = nullptr;
 
@@ -46,6 +48,13 @@ extern "C" __attribute__((visibility("default"))) void glGetIntegerv(GLenum name
     drivers(name, values);
 }
 
+extern "C" __attribute__((visibility("default"))) void glGenTextures(GLsizei count, GLuint* names)
+{
+    static const auto drivers = reinterpret_cast<void (*)(GLsizei, GLuint*)>(dlsym(RTLD_NEXT, "glGenTextures"));
+    madeTextures += int(count);
+    drivers(count, names);
+}
+
 TEST(GlCalls, AFrameAsksNothingOfTheDriver)
 {
     osg::ref_ptr<osgEnvLight::LitScene> lit = makeLit(makeMap(64, 32, sixDirectionColor).get());
@@ -66,6 +75,41 @@ TEST(GlCalls, AFrameAsksNothingOfTheDriver)
     screen.draw(1);
     EXPECT_GT(askedStatus, 0);
     ext.glCheckFramebufferStatus = driversStatus;
+}
+
+// Also while something moves, whose shadow maps are drawn anew: with maps about the view, or with probes.
+TEST(GlCalls, AFrameMakesNoTextures)
+{
+    for (const bool showsLittle : {true, false}) {
+        const osg::ref_ptr<osgEnvLight::LitScene> lit = makeLit(makeMap(64, 32, sixDirectionColor).get());
+        osgEnvLight::Settings& s = *lit->getSettings();
+        s.atlasLights = 16;
+        s.atlasSize = 32;
+        s.bounce = osgEnvLight::Settings::BOUNCE_PROBES;
+        lit->addChild(makeSphere(osg::Vec3d(), 1.0, 16));
+        if (showsLittle) lit->addChild(makeBox(osg::Vec3d(999, 0, 0), osg::Vec3d(1000, 1, 1)));
+        const osg::ref_ptr<osg::MatrixTransform> moved = new osg::MatrixTransform;
+        moved->addChild(makeBox(osg::Vec3d(-0.2, -1.5, -0.2), osg::Vec3d(0.2, -1.2, 0.2)));
+        lit->addChild(moved);
+        SceneRenderer renderer(64, 64);
+        renderer.lookAt(osg::Vec3d(0, -6, 0), osg::Vec3d(), osg::Vec3d(0, 0, 1), 40.0);
+        const auto draw = [&](int frames, bool moves) {
+            for (int i = 0; i < frames; ++i) {
+                if (moves) moved->setMatrix(osg::Matrixd::translate(0.01 * i, 0, 0));
+                renderer.render(lit, 1);
+            }
+        };
+        for (const bool moves : {false, true}) {
+            draw(60, moves);
+            for (int i = 0; i < 500 && !showsLittle && !lit->plan().runs("points"); ++i) draw(1, moves);
+            draw(10, moves);
+            EXPECT_EQ(!showsLittle, lit->plan().runs("points")) << lit->plan().reason("points");
+            const int before = madeTextures;
+            EXPECT_GT(before, 0);
+            draw(10, moves);
+            EXPECT_EQ(before, madeTextures) << showsLittle << moves;
+        }
+    }
 }
 
 }  // namespace GlCalls_test

@@ -4,6 +4,7 @@
 #include "gl/RetiredObjects.h"
 #include "gl/TargetTexture.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace osgEnvLight
@@ -11,29 +12,56 @@ namespace osgEnvLight
 
 osg::Texture2D* AtlasLights::texture(const std::string& name, const ShadowAtlas& atlas, const ShadowAtlas* near, double scale)
 {
-    Entry& e = _entries[name];
-    e.used = true;
+    Entry& e = _entries[near ? name + ", with those about the view" : name];
     const unsigned nearVersion = near ? near->version() : 0;
     const bool same =
         e.atlas == &atlas && e.version == atlas.version() && e.near == near && e.nearVersion == nearVersion && e.scale == scale;
-    if (same) return e.texture.get();
+    if (same) return kept(e);
     const osg::ref_ptr<osg::Image> image = atlas.lightImage(scale, near);
-    const osg::ref_ptr<osg::Texture2D> texture = targetTexture(image->s(), image->t(), GL_RGBA32F_ARB);
-    texture->setImage(image);
-    e = {texture, &atlas, near, atlas.version(), nearVersion, scale, true};
+    renew(e, *image, GL_RGBA32F_ARB);
+    e.atlas = &atlas;
+    e.near = near;
+    e.version = atlas.version();
+    e.nearVersion = nearVersion;
+    e.scale = scale;
     return e.texture.get();
 }
 
 osg::Texture2D* AtlasLights::nearest(const std::string& name, const ShadowAtlas& atlas)
 {
     Entry& e = _entries[name + ", nearest"];
-    e.used = true;
-    if (e.atlas == &atlas && e.version == atlas.version()) return e.texture.get();
+    if (e.atlas == &atlas && e.version == atlas.version()) return kept(e);
     const osg::ref_ptr<osg::Image> image = atlas.nearestImage();
-    const osg::ref_ptr<osg::Texture2D> texture = targetTexture(image->s(), image->t(), GL_RGBA32UI_EXT);
-    texture->setImage(image);
-    e = {texture, &atlas, nullptr, atlas.version(), 0, 1.0, true};
+    renew(e, *image, GL_RGBA32UI_EXT);
+    e.atlas = &atlas;
+    e.version = atlas.version();
     return e.texture.get();
+}
+
+osg::Texture2D* AtlasLights::kept(Entry& e)
+{
+    if (!std::exchange(e.used, true)) e.former.clear();
+    return e.texture.get();
+}
+
+// While maps are drawn anew, in each frame: a texture that no draw holds any more takes the image.
+void AtlasLights::renew(Entry& e, osg::Image& image, GLint format)
+{
+    const auto isOfOtherSize = [&](const auto& t) {
+        return t->getTextureWidth() != image.s() || t->getTextureHeight() != image.t();
+    };
+    e.used = true;
+    if (e.texture) e.former.push_back(std::exchange(e.texture, nullptr));
+    e.former.erase(std::remove_if(e.former.begin(), e.former.end(), isOfOtherSize), e.former.end());
+    const auto isFree = [](const auto& t) { return t->referenceCount() == 1; };
+    const auto free = std::find_if(e.former.begin(), e.former.end(), isFree);
+    if (free != e.former.end()) {
+        e.texture = *free;
+        e.former.erase(free);
+    } else {
+        e.texture = targetTexture(image.s(), image.t(), format);
+    }
+    e.texture->setImage(&image);
 }
 
 void AtlasLights::endFrame()
@@ -45,18 +73,27 @@ void AtlasLights::endFrame()
 size_t AtlasLights::bytes() const
 {
     size_t sum = 0;
-    for (const auto& [name, e] : _entries) sum += bytesOf(*e.texture);
+    for (const auto& [name, e] : _entries) {
+        sum += bytesOf(*e.texture);
+        for (const auto& t : e.former) sum += bytesOf(*t);
+    }
     return sum;
 }
 
 void AtlasLights::resizeGLObjectBuffers(unsigned maximum)
 {
-    for (auto& [name, e] : _entries) e.texture->resizeGLObjectBuffers(maximum);
+    for (auto& [name, e] : _entries) {
+        e.texture->resizeGLObjectBuffers(maximum);
+        for (const auto& t : e.former) t->resizeGLObjectBuffers(maximum);
+    }
 }
 
 void AtlasLights::releaseGLObjects(osg::State* state) const
 {
-    for (const auto& [name, e] : _entries) e.texture->releaseGLObjects(state);
+    for (const auto& [name, e] : _entries) {
+        e.texture->releaseGLObjects(state);
+        for (const auto& t : e.former) t->releaseGLObjects(state);
+    }
 }
 
 }  // namespace osgEnvLight

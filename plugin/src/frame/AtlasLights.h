@@ -7,12 +7,13 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace osgEnvLight
 {
 
-/** The lights of a view's shadow atlases as textures (ShadowAtlas::lightImage). A texture never changes: another state of an
- * atlas has another one, and a draw thread finishes with the former.*/
+/** The lights of a view's shadow atlases as textures (ShadowAtlas::lightImage). A texture changes only when no draw holds it:
+ * another state of an atlas has another one, and a draw thread finishes with the former.*/
 class OSGENVLIGHT_EXPORT AtlasLights
 {
   public:
@@ -33,11 +34,15 @@ class OSGENVLIGHT_EXPORT AtlasLights
   private:
     struct Entry {
         osg::ref_ptr<osg::Texture2D> texture;
-        osg::ref_ptr<const ShadowAtlas> atlas, near;  // that it is of, at which versions and scale
+        std::vector<osg::ref_ptr<osg::Texture2D>> former;  // that a draw may still hold
+        osg::ref_ptr<const ShadowAtlas> atlas, near;       // that it is of, at which versions and scale
         unsigned version = 0, nearVersion = 0;
         double scale = 0.0;
         bool used = false;
     };
+    static osg::Texture2D* kept(Entry& entry);
+    static void renew(Entry& entry, osg::Image& image, GLint format);
+
     std::map<std::string, Entry> _entries;
 };
 
