@@ -62,7 +62,8 @@ class OsgViewer : public testing::Test
     }
 
     // The window's picture, and what the program said.
-    Screen show(const std::string& file, std::string& log, std::vector<std::string> options = {})
+    Screen show(const std::string& file, std::string& log, std::vector<std::string> options = {},
+                std::vector<std::string> environment = {})
     {
         const TemporaryFolder folder;
         std::vector<std::string> command = {"osgviewer", "--window", "0", "0", std::to_string(width), std::to_string(height),
@@ -70,7 +71,8 @@ class OsgViewer : public testing::Test
         command.insert(command.end(), options.begin(), options.end());
         Screen screen;
         {
-            BackgroundProgram viewer(command, folder.file("log"), {"DISPLAY=" + _display.name()});
+            environment.push_back("DISPLAY=" + _display.name());
+            BackgroundProgram viewer(command, folder.file("log"), environment);
             screen = _display.waitForPicture(width, height, 120);
         }
         log = readFile(folder.file("log"));
@@ -167,6 +169,23 @@ TEST_F(OsgViewer, ABlendedCardOutsideTheTransparentBinStaysTransparent)
     const auto at = [&](int x, int y) { return &window.rgb[3 * size_t(y * width + x)]; };
     EXPECT_GT(at(width / 2, height / 2)[1], 2 * at(width / 2, height / 2)[0]) << "the disc";
     EXPECT_GT(at(width / 2, height / 2 - 55)[0], 2 * at(width / 2, height / 2 - 55)[1]) << "the wall through the card";
+}
+
+// As on a driver of 2009: the scene is what it is without the node, and one line says why.
+TEST_F(OsgViewer, AnOldOpenGLShowsTheSceneUnlit)
+{
+    const std::string model = models + "OBJ/spider.obj";
+    const std::vector<std::string> old = {"MESA_GL_VERSION_OVERRIDE=3.0", "MESA_GLSL_VERSION_OVERRIDE=130"};
+    std::string log;
+    const Screen plain = show(model, log, {}, old);
+    const Screen lit = show(model + ".envlight", log, {}, old);
+    ASSERT_FALSE(plain.rgb.empty());
+    ASSERT_FALSE(lit.rgb.empty()) << log;
+    EXPECT_LT(meanDifference(plain, lit), 0.001) << "3 pixels differ: the viewer's optimizer sees another graph";
+    const std::string line = "osgEnvLight: the context has OpenGL 3.0 with GLSL 1.30, expected at least OpenGL 3.3";
+    const size_t at = log.find(line);
+    ASSERT_NE(std::string::npos, at) << log;
+    EXPECT_EQ(std::string::npos, log.find("osgEnvLight:", at + 1)) << log;
 }
 
 // Who looks for a fault in an application turns the notify level up, and wants to find it among the lines.

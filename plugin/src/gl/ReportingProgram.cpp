@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "gl/ReportingProgram.h"
 
+#include "gl/ContextNeeds.h"
+
 #include <osg/GLExtensions>
 #include <osg/State>
 
@@ -184,8 +186,9 @@ void ReportingProgram::apply(osg::State& state) const
     }
     state.get<osg::GLExtensions>()->glUseProgram(0);
     state.setLastAppliedProgramObject(nullptr);
-    if (!_failure->happened(state.getContextID()))
-        _failure->report(state.getContextID(), getName() + " does not compile\n" + program.log());
+    if (_failure->happened(state.getContextID())) return;
+    const std::string unmet = unmetNeeds(state);
+    _failure->report(state.getContextID(), unmet.empty() ? getName() + " does not compile\n" + program.log() : unmet);
 }
 
 }  // namespace osgEnvLight

@@ -35,6 +35,7 @@ namespace osgEnvLight
 //   radiance                            the sum of the terms over what is behind the scene
 //   average, average of squares         of a still view's frames
 //   display                             the picture in display values
+//   motion                              where the frame before showed what has moved since
 //   history, other history              its average over frames, by turns; history places, other history places: of its surfaces
 
 /** A texture that a still view's later frames read again as its first one left it. */
