@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 namespace Motion_test
@@ -120,6 +121,55 @@ TEST(Motion, AViewThatMovesMovesNothing)
         renderer.render(lit, 1);
         EXPECT_FALSE(lit->plan().runs("motion")) << lit->plan().reason("motion");
         EXPECT_TRUE(lit->plan().runs("temporal"));
+    }
+}
+
+namespace
+{
+
+struct Place {
+    osg::Vec3d origin;
+    bool isParallel;
+};
+
+// Bars that move to one side while the view moves to the other, before the card, which stands still.
+MovingErrors errorsAt(int antialias, const Place& place)
+{
+    const int before = 12, judged = 4;
+    const auto move = [&](int kind, int factor) {
+        const osg::ref_ptr<LitScene> lit = card(kind, true);
+        Bars bars(BY_MATRIX);
+        const osg::ref_ptr<osg::MatrixTransform> there = new osg::MatrixTransform(osg::Matrixd::translate(place.origin));
+        there->addChild(bars.transform);
+        there->addChild(lit->getChild(0));
+        lit->removeChildren(0, 1);
+        lit->addChild(there);
+        SceneRenderer renderer(size * factor, size * factor);
+        std::vector<Picture> all;
+        for (int i = 0; i < before + judged; ++i) {
+            bars.move(osg::Vec3d(0.04 * i - 0.3, 0, 0));
+            const osg::Vec3d eye = place.origin + osg::Vec3d(-0.03 * i, -4, 0.013 * i);
+            renderer.lookAt(eye, eye + osg::Vec3d(0, 4, 0), osg::Vec3d(0, 0, 1), 40.0);
+            const double half = 4.0 * std::tan(osg::DegreesToRadians(20.0));
+            if (place.isParallel) renderer.viewer().getCamera()->setProjectionMatrixAsOrtho(-half, half, -half, half, 1, 10);
+            const Picture picture = renderer.render(lit, 1);
+            if (i >= before) all.push_back(factor > 1 ? shrunk(picture, factor) : picture);
+        }
+        return all;
+    };
+    return smoothed::errorsOf(move(antialias, 1), move(Settings::ANTIALIAS_OFF, 8));
+}
+
+}  // namespace
+
+// Measured .63, .60 and .63 of the error without, and as much of its change.
+TEST(Motion, IsFoundInParallelProjectionAndOnTheGlobe)
+{
+    for (const Place& place : {Place{{}, false}, Place{{}, true}, Place{{6.4e6, 1e6, 0}, false}}) {
+        const MovingErrors off = errorsAt(Settings::ANTIALIAS_OFF, place);
+        const MovingErrors temporal = errorsAt(Settings::ANTIALIAS_TEMPORAL, place);
+        EXPECT_LT(temporal.error, 0.7 * off.error) << place.origin.x() << place.isParallel;
+        EXPECT_LT(temporal.change, 0.7 * off.change) << place.origin.x() << place.isParallel;
     }
 }
 
