@@ -144,6 +144,25 @@ TEST(Antialias, AFirstFrameIsAsWithSmoothedEdges)
     EXPECT_LE(largestDifference(first(Settings::ANTIALIAS_TEMPORAL), first(Settings::ANTIALIAS_EDGES)), 1.0 / 65535);
 }
 
+// Nor has that after another size, or after a frame that was shown without.
+TEST(Antialias, AFrameAfterAnotherSizeIsAFirstOne)
+{
+    const int smaller = size - 17;
+    const auto first = [](int width) { return draw(card(Settings::ANTIALIAS_TEMPORAL, true), osg::Vec4(), width, 1); };
+    const Picture fresh = first(smaller), large = first(size);
+    SceneRenderer renderer(size, size);
+    const osg::ref_ptr<LitScene> lit = card(Settings::ANTIALIAS_TEMPORAL, true);
+    draw(renderer, lit, osg::Vec4(), 5);
+    renderer.viewer().getCamera()->setViewport(0, 0, smaller, smaller);
+    EXPECT_LE(largestDifference(fresh, draw(renderer, lit, osg::Vec4(), 1)), 1.0 / 65535);
+    renderer.viewer().getCamera()->setViewport(0, 0, size, size);
+    draw(renderer, lit, osg::Vec4(), 5);
+    lit->getSettings()->view = Settings::NORMAL;
+    draw(renderer, lit, osg::Vec4(), 1);
+    lit->getSettings()->view = Settings::BEAUTY;
+    EXPECT_LE(largestDifference(large, draw(renderer, lit, osg::Vec4(), 1)), 1.0 / 65535);
+}
+
 // What was before a card is gone at once.
 TEST(Antialias, NothingIsLeftOfWhatIsGone)
 {
