@@ -42,6 +42,7 @@ class OSGENVLIGHT_EXPORT ContextWatch : public osg::GraphicsObjectManager
     std::mutex _mutex;
     std::set<osg::observer_ptr<Listener>> _listeners;
     bool _discarding = false;
+    bool _hasManagers = false;  // of the draw thread alone
 };
 
 }  // namespace osgEnvLight
