@@ -90,10 +90,12 @@ class Views : public testing::Test
 };
 
 // Frames with everything changing; the picture of the last, which is the same however the threads ran.
-osg::ref_ptr<osg::Image> run(osgViewer::ViewerBase::ThreadingModel model, bool twoParents, bool resize, int frames = 40)
+osg::ref_ptr<osg::Image> run(osgViewer::ViewerBase::ThreadingModel model, bool twoParents, bool resize, int frames = 40,
+                             int antialias = Settings::ANTIALIAS_EDGES)
 {
     osg::ref_ptr<LitScene> lit = makeScene();
     lit->getSettings()->bounce = Settings::BOUNCE_MEAN;
+    lit->getSettings()->antialias = antialias;
     lit->getSettings()->areaPoints = 16;
     lit->getSettings()->areaMapSize = 32;
     const osg::ref_ptr<osgEnvLight::AreaLight> lamp = new osgEnvLight::AreaLight;
@@ -107,6 +109,7 @@ osg::ref_ptr<osg::Image> run(osgViewer::ViewerBase::ThreadingModel model, bool t
     spot->getLight()->setSpotCutoff(40.0f);
     const osg::ref_ptr<osg::MatrixTransform> hanging = new osg::MatrixTransform;
     hanging->addChild(spot);
+    hanging->addChild(makeBox(osg::Vec3d(0.8, -0.2, 0.8), osg::Vec3d(1.2, 0.2, 1.2)));
     lit->addChild(hanging);
     lit->getOrCreateStateSet()->setMode(GL_LIGHT1, osg::StateAttribute::ON);
     lit->getSettings()->regeneration = Settings::BACKGROUND;  // all maps anew in each of these frames would take hours
@@ -169,6 +172,21 @@ TEST_F(Views, EveryThreadingModelDrawsTheSamePicture)
             ASSERT_TRUE(found);
             EXPECT_EQ(0, largestByteDifference(*expected, *found)) << "model " << model << ", two parents " << twoParents;
         }
+    }
+}
+
+// Each frame is made of those before, and of where they showed what moves.
+TEST_F(Views, EveryThreadingModelAveragesTheSameFrames)
+{
+    using V = osgViewer::ViewerBase;
+    const osg::ref_ptr<osg::Image> expected = run(V::SingleThreaded, false, false, 20, Settings::ANTIALIAS_TEMPORAL);
+    ASSERT_TRUE(expected);
+    EXPECT_GT(byteRange(*expected), 50);  // not an empty picture
+    for (V::ThreadingModel model :
+         {V::CullDrawThreadPerContext, V::DrawThreadPerContext, V::CullThreadPerCameraDrawThreadPerContext}) {
+        const osg::ref_ptr<osg::Image> found = run(model, false, false, 20, Settings::ANTIALIAS_TEMPORAL);
+        ASSERT_TRUE(found);
+        EXPECT_EQ(0, largestByteDifference(*expected, *found)) << "model " << model;
     }
 }
 
