@@ -5,7 +5,6 @@
 // Columns: root mean square error at .25 pixels a frame, how much of it changes from frame to frame (the standard deviation over
 // four frames, in which nothing moves by more than a pixel), the error at 2.3 pixels, and milliseconds a frame. Scenes and maps
 // are those of the image suite, settings those of the nodekit.
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -15,6 +14,7 @@
 #include <vector>
 
 #include <osg/MatrixTransform>
+#include "MovingPictures.h"
 #include "SceneRenderer.h"
 #include "SuiteScenes.h"
 
@@ -81,17 +81,6 @@ void settle(SceneRenderer& renderer, const View& view)
     for (int i = 0; i < 100 && view.scene.lit->regenerating(); ++i) renderer.render(view.scene.lit.get(), 4);
 }
 
-Picture shrunk(const Picture& large)
-{
-    Picture p(width, height);
-    for (int y = 0; y < height * finer; ++y)
-        for (int x = 0; x < width * finer; ++x)
-            for (int k = 0; k < 4; ++k)
-                p.rgba[size_t(4 * (y / finer * width + x / finer) + k)] +=
-                    large.rgba[size_t(4 * (y * width * finer + x) + k)] / float(finer * finer);
-    return p;
-}
-
 std::vector<Picture> truthOf(Row row, double speed)
 {
     row.settings.emplace_back("antialias=off");
@@ -101,16 +90,17 @@ std::vector<Picture> truthOf(Row row, double speed)
     std::vector<Picture> all;
     for (int i = 0; i < judged; ++i) {
         view.aim(renderer, speed * (before + i));
-        all.push_back(shrunk(renderer.render(view.scene.lit.get(), 1)));
+        all.push_back(shrunk(renderer.render(view.scene.lit.get(), 1), finer));
     }
     return all;
 }
 
-struct Error {
-    double rms = 0.0, flicker = 0.0, milliseconds = 0.0;
+struct Measured {
+    MovingErrors errors;
+    double milliseconds;
 };
 
-Error errorOf(const Row& row, double speed, const std::vector<Picture>& truth)
+Measured measuredOf(const Row& row, double speed, const std::vector<Picture>& truth)
 {
     const View view = viewOf(row);
     SceneRenderer renderer(width, height);
@@ -122,24 +112,8 @@ Error errorOf(const Row& row, double speed, const std::vector<Picture>& truth)
         const Picture picture = renderer.render(view.scene.lit.get(), 1);
         if (i >= before) all.push_back(picture);
     }
-    Error e;
-    e.milliseconds =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count() / (before + judged);
-    double squares = 0.0, variances = 0.0;
-    for (size_t i = 0; i < size_t(width * height * 4); ++i) {
-        if (i % 4 == 3) continue;
-        double sum = 0.0, sum2 = 0.0;
-        for (size_t k = 0; k < size_t(judged); ++k) {
-            const double d = double(all[k].rgba[i]) - double(truth[k].rgba[i]);
-            sum += d / judged;
-            sum2 += d * d / judged;
-        }
-        squares += sum2;
-        variances += std::max(0.0, sum2 - sum * sum);
-    }
-    e.rms = 100.0 * std::sqrt(squares / (3.0 * width * height));
-    e.flicker = 100.0 * std::sqrt(variances / (3.0 * width * height));
-    return e;
+    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+    return {errorsOf(all, truth), time.count() / (before + judged)};
 }
 
 void measure(const Row& row)
@@ -149,9 +123,10 @@ void measure(const Row& row)
     for (const char* kind : {"off", "edges", "temporal"}) {
         Row r = row;
         r.settings.push_back(std::string("antialias=") + kind);
-        const Error slow = errorOf(r, slowly, slowTruth);
-        std::printf("  %-10s %7.3f %7.3f %7.3f %7.0f\n", kind, slow.rms, slow.flicker, errorOf(r, fast, fastTruth).rms,
-                    slow.milliseconds);
+        const Measured slow = measuredOf(r, slowly, slowTruth);
+        const double fastError = measuredOf(r, fast, fastTruth).errors.error;
+        std::printf("  %-10s %7.3f %7.3f %7.3f %7.0f\n", kind, 100.0 * slow.errors.error, 100.0 * slow.errors.change,
+                    100.0 * fastError, slow.milliseconds);
         std::fflush(stdout);
     }
 }

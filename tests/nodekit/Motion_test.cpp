@@ -93,7 +93,7 @@ MovingErrors errorsOf(int antialias, Mover mover)
         }
         return all;
     };
-    return smoothed::errorsOf(move(antialias, 1), move(Settings::ANTIALIAS_OFF, 8));
+    return ::errorsOf(move(antialias, 1), move(Settings::ANTIALIAS_OFF, 8));
 }
 
 }  // namespace
@@ -157,7 +157,7 @@ MovingErrors errorsAt(int antialias, const Place& place)
         }
         return all;
     };
-    return smoothed::errorsOf(move(antialias, 1), move(Settings::ANTIALIAS_OFF, 8));
+    return ::errorsOf(move(antialias, 1), move(Settings::ANTIALIAS_OFF, 8));
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A card whose edges the picture smooths, and how far a moving picture is off its coverage.
+// A card whose edges the picture smooths.
 #pragma once
 
+#include <MovingPictures.h>
 #include <SceneRenderer.h>
 
 #include <osgEnvLight/Material>
@@ -46,40 +47,6 @@ inline Picture draw(const osg::ref_ptr<LitScene>& lit, const osg::Vec4& clearCol
 {
     SceneRenderer renderer(width, width);
     return draw(renderer, lit, clearColor, frames);
-}
-
-// Means over squares of pixels of a picture that is so many times as wide.
-inline Picture shrunk(const Picture& large, int factor)
-{
-    Picture p(size, size);
-    for (int y = 0; y < size * factor; ++y)
-        for (int x = 0; x < size * factor; ++x)
-            for (int k = 0; k < 4; ++k)
-                p.rgba[size_t(4 * (y / factor * size + x / factor) + k)] +=
-                    large.rgba[size_t(4 * (y * size * factor + x) + k)] / float(factor * factor);
-    return p;
-}
-
-// Root mean squares of a motion's errors beside its coverage, and of how much these change from frame to frame.
-struct MovingErrors {
-    double error, change;
-};
-
-inline MovingErrors errorsOf(const std::vector<Picture>& shown, const std::vector<Picture>& truth)
-{
-    const auto frames = double(shown.size());
-    double squares = 0.0, variances = 0.0;
-    for (size_t i = 0; i < shown[0].rgba.size(); ++i) {
-        double sum = 0.0, sum2 = 0.0;
-        for (size_t k = 0; k < shown.size(); ++k) {
-            const double d = double(shown[k].rgba[i]) - double(truth[k].rgba[i]);
-            sum += d / frames;
-            sum2 += d * d / frames;
-        }
-        squares += sum2;
-        variances += sum2 - sum * sum;
-    }
-    return {std::sqrt(squares), std::sqrt(variances)};
 }
 
 }  // namespace smoothed
