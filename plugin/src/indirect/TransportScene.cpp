@@ -137,8 +137,9 @@ osg::ref_ptr<osg::Texture2D> TransportScene::diffuse(const StaticCasters::Parts&
 
 double TransportScene::polishedShare(const StaticCasters::Parts& parts) const
 {
-    const auto count = std::count_if(_surfaceOf.begin(), _surfaceOf.end(), [&](unsigned s) { return isPolished(parts[s].sent); });
-    return _surfaceOf.empty() ? 0.0 : double(count) / double(_surfaceOf.size());
+    const auto polished =
+        std::count_if(_surfaceOf.begin(), _surfaceOf.end(), [&](unsigned s) { return isPolished(parts[s].sent); });
+    return _surfaceOf.empty() ? 0.0 : double(polished) / double(_surfaceOf.size());
 }
 
 osg::ref_ptr<osg::Texture2D> TransportScene::glossy(const StaticCasters::Parts& parts) const
