@@ -44,7 +44,7 @@ bool endsInFog(const FrameContext& c)
     if (c.fog.kind == 0 || !(c.host.getClearMask() & GL_COLOR_BUFFER_BIT)) return false;
     const osg::Vec4& cleared = c.host.getClearColor();
     float most = 0.0f;
-    for (int i = 0; i < 3; ++i) most = std::max(most, std::abs(cleared[i] - c.fog.color[i]));
+    for (int i = 0; i < 3; ++i) most = std::max(most, std::abs(cleared[unsigned(i)] - c.fog.color[i]));
     return most < 1.0f / 255.0f;
 }
 

@@ -58,7 +58,7 @@ class ImageRows
         const unsigned char* bytes = _image.data(0, t);
         const size_t step = _image.getPixelSizeInBits() / 8;
         for (unsigned x = 0; x < row.size(); ++x, bytes += step)
-            for (unsigned k = 0; k < 3; ++k) row[x][k] = isBytes() ? _decoded[bytes[_offsets[k]]] : value(x, t, k);
+            for (unsigned k = 0; k < 3; ++k) row[x][int(k)] = isBytes() ? _decoded[bytes[_offsets[k]]] : value(x, t, k);
     }
 
   private:

@@ -21,7 +21,7 @@ osg::Vec3f SurfaceState::emission(bool displayColors) const
         osg::Vec3f color;
         if (!m || m->getEmission(osg::Material::FRONT) == osg::Vec4(0, 0, 0, 1)) return color;
         for (int i = 0; i < 3; ++i) {
-            const float typed = std::max(m->getEmission(osg::Material::FRONT)[i], 0.0f);
+            const float typed = std::max(m->getEmission(osg::Material::FRONT)[unsigned(i)], 0.0f);
             color[i] = displayColors ? float(glsl::typedDecode(double(typed))) : typed;
         }
         return color;

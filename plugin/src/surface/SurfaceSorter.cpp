@@ -99,13 +99,13 @@ class SurfaceSort
     {
     }
 
-    void sortBin(osgUtil::RenderBin& from, osgUtil::RenderBin* to, bool sorted)
+    void sortBin(osgUtil::RenderBin& from, osgUtil::RenderBin* to, bool isSorted)
     {
         osgUtil::RenderBin::StateGraphList& list = from.getStateGraphList();
         osgUtil::RenderBin::StateGraphList kept;
         for (osgUtil::StateGraph* sg : list) {
             const SurfaceState& state = effective(sg);
-            const bool blends = sorted && state.blending();
+            const bool blends = isSorted && state.blending();
             const SurfaceSorter::Variation variation = variationOf(state);
             for (auto& leaf : sg->_leaves) place(*leaf, sg, state, variation, blends, kept, to);
             sg->_leaves.clear();
@@ -114,7 +114,7 @@ class SurfaceSort
         for (auto& [number, bin] : from.getRenderBinList()) {
             const bool backToFront = bin->getSortMode() == osgUtil::RenderBin::SORT_BACK_TO_FRONT;
             osgUtil::RenderBin* target = to ? to->find_or_insert(number, backToFront ? "DepthSortedBin" : "RenderBin") : nullptr;
-            sortBin(*bin, target, sorted || backToFront);
+            sortBin(*bin, target, isSorted || backToFront);
         }
     }
 
