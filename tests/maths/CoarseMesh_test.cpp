@@ -120,7 +120,7 @@ TEST(CoarseMesh, ABoxKeepsItsCorners)
 // A probe in a body whose inside is not known lights what is about the body by the dark in it.
 TEST(CoarseMesh, ABodyStaysClosedHoweverCoarse)
 {
-    for (const unsigned segments : {24u, 37u, 64u})
+    for (const int segments : {24, 37, 64})
         for (double cell = 0.03; cell < 0.5; cell *= 1.17) {
             TracedScene bodies;
             const unsigned surface = addSurface(bodies, true);

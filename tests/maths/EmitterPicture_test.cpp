@@ -89,7 +89,8 @@ TEST(EmitterPicture, MeansOfPartsAreIntegralsOverThem)
 TEST(EmitterPicture, BytesAreDecodedAndTheirOrderIsKept)
 {
     const unsigned char bytes[] = {255, 188, 0, 128};
-    for (const GLenum format : {GL_RGB, GL_RGBA, GL_BGR, GL_BGRA}) {
+    for (const int name : {GL_RGB, GL_RGBA, GL_BGR, GL_BGRA}) {
+        const auto format = GLenum(name);
         osg::ref_ptr<osg::Image> image = new osg::Image;
         image->allocateImage(3, 2, 1, format, GL_UNSIGNED_BYTE);
         for (unsigned s = 0; s < 3; ++s)

@@ -91,7 +91,8 @@ TEST_F(FirstMaps, TakeTheFluxAndTheSolidAngleOfTheOthers)
         EXPECT_EQ(drawn == 0 ? 0u : 32u, atlas->update(list, drawn == 0 ? 0 : 32).size());
         const Rows rows = rowsOf(*atlas);
         EXPECT_EQ(drawn, rows.withMaps);
-        for (int k = 0; k < 4; ++k) EXPECT_NEAR(all[k], rows.flux[k], 3e-4 * all[k]) << drawn;  // 256 angles of at least 1e-6
+        for (unsigned k = 0; k < 4; ++k)
+            EXPECT_NEAR(all[k], rows.flux[k], 3e-4 * all[k]) << drawn;  // 256 angles of at least 1e-6
         EXPECT_NEAR(drawn == 0 ? all[0] + all[1] + all[2] : 0.0, rows.without, 1e-4) << drawn;
         EXPECT_FALSE(atlas->complete());
     }

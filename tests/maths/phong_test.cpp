@@ -60,8 +60,9 @@ TEST(phong, AlbedoIsTheIntegralOfTheLobe)
     // As its comment says; at n = 200 the quadrature's own error over the kink at the horizon.
     const std::pair<double, double> errors[] = {{0.0, 0.05}, {1.0, 0.03},   {2.0, 0.02},
                                                 {4.0, 0.01}, {20.0, 0.005}, {200.0, 0.005}};
-    for (const auto& [n, error] : errors)
+    for (const auto& [exponent, error] : errors)
         for (double degrees : {0.0, 20.0, 45.0, 70.0, 80.0, 89.0}) {
+            const double n = exponent;  // a lambda can't capture the binding
             const double t = degrees * pi / 180.0;
             const vec3 r(std::sin(t), 0.0, std::cos(t));
             const double e = integrateBand([&](const vec3& l) { return glsl::phongBrdf(r, l, n) * l.z; }, 0.0, 1.0, 400, 800);
