@@ -8,8 +8,8 @@
 namespace osgEnvLight
 {
 
-/** What the context is that is current, and what all passes need, where it is less than that: OpenGL 3.3, its shading language,
- * the compatibility profile. Empty: it is enough. Asks OpenGL. */
+/** That the current context has less than all passes need, in words: OpenGL 3.3, GLSL 3.30, the compatibility profile. Empty: it
+ * has all that. Asks OpenGL. */
 std::string unmetNeeds(const osg::State& state);
 
 }  // namespace osgEnvLight

@@ -27,7 +27,7 @@ class MotionDraw : public FullScreen
         osg::ref_ptr<const osg::Geometry> geometry;
         osg::ref_ptr<osg::RefMatrix> eyeFromModel;
         osg::Matrixd formerEyeFromModel;
-        bool isChanged;
+        bool isChanged = false;
         osg::ref_ptr<osg::StateSet> inputs, program;  // where a program of the application's moves the vertices
     };
 
@@ -104,12 +104,11 @@ void MotionPass::setup(PassBuilder& b, FrameContext& c)
     for (const MovedCaster& m : c.moved) {
         const Caster& caster = m.caster;
         if (!mapShows(clipFromWorld, boundOf(caster))) continue;
-        MotionDraw::Moved drawn{caster.geometry,
-                                new osg::RefMatrix(caster.worldFromModel * eyeFromWorld),
-                                m.formerWorldFromModel* formerEyeFromWorld,
-                                m.isChanged,
-                                nullptr,
-                                nullptr};
+        MotionDraw::Moved drawn;
+        drawn.geometry = caster.geometry;
+        drawn.eyeFromModel = new osg::RefMatrix(caster.worldFromModel * eyeFromWorld);
+        drawn.formerEyeFromModel = m.formerWorldFromModel * formerEyeFromWorld;
+        drawn.isChanged = m.isChanged;
         if (caster.moves) {
             drawn.inputs = caster.state;
             drawn.program = programOf(*caster.state);
