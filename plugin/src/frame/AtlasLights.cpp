@@ -24,7 +24,7 @@ osg::Texture2D* AtlasLights::texture(const std::string& name, const ShadowAtlas&
     e.version = atlas.version();
     e.nearVersion = nearVersion;
     e.scale = scale;
-    return e.texture.get();
+    return e.textures.back().get();
 }
 
 osg::Texture2D* AtlasLights::nearest(const std::string& name, const ShadowAtlas& atlas)
@@ -35,13 +35,13 @@ osg::Texture2D* AtlasLights::nearest(const std::string& name, const ShadowAtlas&
     renew(e, *image, GL_RGBA32UI_EXT);
     e.atlas = &atlas;
     e.version = atlas.version();
-    return e.texture.get();
+    return e.textures.back().get();
 }
 
 osg::Texture2D* AtlasLights::kept(Entry& e)
 {
-    if (!std::exchange(e.used, true)) e.former.clear();
-    return e.texture.get();
+    if (!std::exchange(e.used, true)) e.textures.erase(e.textures.begin(), e.textures.end() - 1);
+    return e.textures.back().get();
 }
 
 // While maps are drawn anew, in each frame: a texture that no draw holds any more takes the image.
@@ -50,18 +50,15 @@ void AtlasLights::renew(Entry& e, osg::Image& image, GLint format)
     const auto isOfOtherSize = [&](const auto& t) {
         return t->getTextureWidth() != image.s() || t->getTextureHeight() != image.t();
     };
-    e.used = true;
-    if (e.texture) e.former.push_back(std::exchange(e.texture, nullptr));
-    e.former.erase(std::remove_if(e.former.begin(), e.former.end(), isOfOtherSize), e.former.end());
     const auto isFree = [](const auto& t) { return t->referenceCount() == 1; };
-    const auto free = std::find_if(e.former.begin(), e.former.end(), isFree);
-    if (free != e.former.end()) {
-        e.texture = *free;
-        e.former.erase(free);
-    } else {
-        e.texture = targetTexture(image.s(), image.t(), format);
-    }
-    e.texture->setImage(&image);
+    e.used = true;
+    e.textures.erase(std::remove_if(e.textures.begin(), e.textures.end(), isOfOtherSize), e.textures.end());
+    const auto free = std::find_if(e.textures.begin(), e.textures.end(), isFree);
+    if (free != e.textures.end())
+        std::rotate(free, free + 1, e.textures.end());
+    else
+        e.textures.push_back(targetTexture(image.s(), image.t(), format));
+    e.textures.back()->setImage(&image);
 }
 
 void AtlasLights::endFrame()
@@ -73,27 +70,21 @@ void AtlasLights::endFrame()
 size_t AtlasLights::bytes() const
 {
     size_t sum = 0;
-    for (const auto& [name, e] : _entries) {
-        sum += bytesOf(*e.texture);
-        for (const auto& t : e.former) sum += bytesOf(*t);
-    }
+    for (const auto& [name, e] : _entries)
+        for (const auto& t : e.textures) sum += bytesOf(*t);
     return sum;
 }
 
 void AtlasLights::resizeGLObjectBuffers(unsigned maximum)
 {
-    for (auto& [name, e] : _entries) {
-        e.texture->resizeGLObjectBuffers(maximum);
-        for (const auto& t : e.former) t->resizeGLObjectBuffers(maximum);
-    }
+    for (auto& [name, e] : _entries)
+        for (const auto& t : e.textures) t->resizeGLObjectBuffers(maximum);
 }
 
 void AtlasLights::releaseGLObjects(osg::State* state) const
 {
-    for (const auto& [name, e] : _entries) {
-        e.texture->releaseGLObjects(state);
-        for (const auto& t : e.former) t->releaseGLObjects(state);
-    }
+    for (const auto& [name, e] : _entries)
+        for (const auto& t : e.textures) t->releaseGLObjects(state);
 }
 
 }  // namespace osgEnvLight

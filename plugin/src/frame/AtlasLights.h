@@ -33,9 +33,8 @@ class OSGENVLIGHT_EXPORT AtlasLights
 
   private:
     struct Entry {
-        osg::ref_ptr<osg::Texture2D> texture;
-        std::vector<osg::ref_ptr<osg::Texture2D>> former;  // that a draw may still hold
-        osg::ref_ptr<const ShadowAtlas> atlas, near;       // that it is of, at which versions and scale
+        std::vector<osg::ref_ptr<osg::Texture2D>> textures;  // the last one; before it, those that a draw may still hold
+        osg::ref_ptr<const ShadowAtlas> atlas, near;         // that it is of, at which versions and scale
         unsigned version = 0, nearVersion = 0;
         double scale = 0.0;
         bool used = false;
