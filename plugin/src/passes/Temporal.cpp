@@ -17,7 +17,7 @@ Requirement TemporalPass::require(const FrameContext& c) const
 
 void TemporalPass::update(FrameContext& c)
 {
-    _continues = c.former && _former + 1 == c.number;
+    _continues = c.former && _hasPicture;
     if (_continues && !c.hasFirstFrame() && c.canShift()) c.shift(r2Point(c.number));
 }
 
@@ -44,12 +44,12 @@ void TemporalPass::setup(PassBuilder& b, FrameContext& c)
     b.write(places[_side]);
     c.shownPicture = pictures[_side];
     c.shownPlaces = places[_side];
-    _former = c.number;
+    _hasPicture = true;
 }
 
 void TemporalPass::dismiss(FrameContext&)
 {
-    _former = none;
+    _hasPicture = false;
 }
 
 }  // namespace osgEnvLight

@@ -18,11 +18,9 @@ class OSGENVLIGHT_EXPORT TemporalPass : public RenderPass
     void dismiss(FrameContext& context) override;
 
   private:
-    static constexpr unsigned none = ~1u;
-
-    unsigned _former = none;  // the frame that was averaged last
-    bool _continues = false;  // there is a picture of the frame before
-    int _side = 0;            // of the two pictures, the one that is drawn
+    bool _hasPicture = false;  // of the last frame, of whatever size
+    bool _continues = false;   // that has the size of this one
+    int _side = 0;             // of the two pictures, the one that is drawn
 };
 
 }  // namespace osgEnvLight
