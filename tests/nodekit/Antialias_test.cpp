@@ -100,28 +100,18 @@ TEST(Antialias, AStillViewConvergesToWhatItDoesWithout)
 
 MovingErrors panErrors(int antialias, bool bars)
 {
-    const int before = 12, judged = 4;
-    const auto pan = [&](int kind, int factor) {
-        const osg::ref_ptr<LitScene> lit = card(kind, true);
+    return errorsOfMotion(antialias, [&](LitScene& lit) -> Step {
         for (int i = -8; i <= 8 && bars; ++i) {
             const osg::ref_ptr<osg::Geode> bar =
                 makeQuad(osg::Vec3d(0.25 * i, -0.1, -2), osg::Vec3d(0.03, 0, 0), osg::Vec3d(0.6, 0, 4));
             osgEnvLight::Material::setLambert(*bar->getOrCreateStateSet(), osg::Vec3f(0.05f, 0.05f, 0.05f));
-            lit->addChild(bar);
+            lit.addChild(bar);
         }
-        SceneRenderer renderer(size * factor, size * factor);
-        std::vector<Picture> all;
-        for (int i = 0; i < before + judged; ++i) {
-            const double way = 0.013 * i;  // .29 pixels a frame along both sides
+        return [](SceneRenderer& renderer, int frame) {
+            const double way = 0.013 * frame;  // .29 pixels a frame along both sides
             renderer.lookAt(osg::Vec3d(way, -4, way), osg::Vec3d(way, 0, way), osg::Vec3d(0, 0, 1), 40.0);
-            const Picture picture = renderer.render(lit, 1);
-            if (i >= before) all.push_back(factor > 1 ? shrunk(picture, factor) : picture);
-        }
-        return all;
-    };
-    const std::vector<Picture> truth = pan(Settings::ANTIALIAS_OFF, 8);
-    const std::vector<Picture> shown = pan(antialias, 1);
-    return errorsOf(shown, truth);
+        };
+    });
 }
 
 // Of a lone straight edge and of bars narrower than a pixel. Measured .60 and .75 of the error without, .42 and .56 of its

@@ -8,6 +8,7 @@
 #include <osgEnvLight/Material>
 
 #include <cmath>
+#include <functional>
 #include <vector>
 
 namespace smoothed
@@ -47,6 +48,32 @@ inline Picture draw(const osg::ref_ptr<LitScene>& lit, const osg::Vec4& clearCol
 {
     SceneRenderer renderer(width, width);
     return draw(renderer, lit, clearColor, frames);
+}
+
+// Before each frame of a motion.
+using Step = std::function<void(SceneRenderer& renderer, int frame)>;
+
+// Of the last frames of a motion, beside means of 8 x 8 samples a pixel.
+// begin  puts what there is beside the card into a scene
+// check  is called after each frame
+inline MovingErrors errorsOfMotion(int antialias, const std::function<Step(LitScene&)>& begin,
+                                   const std::function<void(const LitScene&, int frame)>& check = {})
+{
+    const int before = 12, judged = 4;
+    const auto move = [&](int kind, int factor) {
+        const osg::ref_ptr<LitScene> lit = card(kind, true);
+        const Step step = begin(*lit);
+        SceneRenderer renderer(size * factor, size * factor);
+        std::vector<Picture> all;
+        for (int i = 0; i < before + judged; ++i) {
+            step(renderer, i);
+            const Picture picture = renderer.render(lit, 1);
+            if (check) check(*lit, i);
+            if (i >= before) all.push_back(shrunk(picture, factor));
+        }
+        return all;
+    };
+    return errorsOf(move(antialias, 1), move(Settings::ANTIALIAS_OFF, 8));
 }
 
 }  // namespace smoothed
