@@ -2,9 +2,12 @@
 // What a moving picture shows, beside means of 4 x 4 samples a pixel of the same moments, in display values.
 //   envlight_motion_study [SCENE:MAP]... [NAME=VALUE]...
 // Each first as the view pans, then, without shadows, as the scene turns about the eye and the view stands still.
-// Columns: root mean square error at .25 pixels a frame, how much of it changes from frame to frame (the standard deviation over
-// four frames, in which nothing moves by more than a pixel), the error at 2.3 pixels, and milliseconds a frame. Scenes and maps
-// are those of the image suite, settings those of the nodekit.
+// Columns:
+//   error    root mean square, at .25 pixels a frame
+//   flicker  how much of that changes from frame to frame: its standard deviation over four frames
+//   fast     the error at 2.3 pixels a frame
+//   ms       milliseconds a frame
+// Scenes and maps are those of the image suite, settings those of the nodekit.
 #include <chrono>
 #include <cmath>
 #include <cstdio>

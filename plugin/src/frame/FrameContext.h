@@ -56,12 +56,12 @@ struct FrameContext {
 
     osg::Matrixd mapFromWorld = {};
     osg::Matrixd worldFromEye = {};
-    double radianceScale = 0.0;  // the map's mean radiance times its intensity
-    double baseStops = 0.0;      // the exposure that the picture has before the setting's stops
-    DepthConvention depth = {};  // the host's
+    double radianceScale = 0.0;           // the map's mean radiance times its intensity
+    double baseStops = 0.0;               // the exposure that the picture has before the setting's stops
+    DepthConvention depth = {};           // the host's
     const FormerFrame* former = nullptr;  // null: there was none of this size
     std::vector<Caster> casters = {};
-    std::vector<MovedCaster> moved = {};  // where the picture is averaged over frames
+    std::vector<MovedCaster> moved = {};       // where the picture is averaged over frames
     SceneLightList lights = {};                // of the application that are switched on
     std::vector<Emitter> areaLights = {};      // in the world
     int background = Settings::BACKGROUND_ON;  // never AUTO

@@ -8,8 +8,8 @@
 namespace osgEnvLight
 {
 
-/** That the current context has less than all passes need, in words: OpenGL 3.3, GLSL 3.30, the compatibility profile. Empty: it
- * has all that. Asks OpenGL. */
+/** Says what the current context has less than the passes need: OpenGL 3.3, GLSL 3.30 and the compatibility profile. Empty if it
+ * has all of it. Asks OpenGL. */
 std::string unmetNeeds(const osg::State& state);
 
 }  // namespace osgEnvLight

@@ -120,9 +120,8 @@ bool averages(const FrameContext& c)
 
 bool asksForCasters(const FrameContext& c, bool sunny)
 {
-    if (needsCarrier(c) && Decisions::wantsAtlas(c.settings)) return true;
+    if (averages(c) || (needsCarrier(c) && Decisions::wantsAtlas(c.settings))) return true;
     const bool hasLamps = !c.areaLights.empty() || (c.settings.sceneLightShadows && castShadows(c.lights));
-    if (averages(c)) return true;
     return (sunny || (hasLamps && Decisions::wantsEmitterMaps(c.settings))) && showsSomething(c);
 }
 

@@ -36,7 +36,8 @@ namespace osgEnvLight
 //   average, average of squares         of a still view's frames
 //   display                             the picture in display values
 //   motion                              where the frame before showed what has moved since
-//   history, other history              its average over frames, by turns; history places, other history places: of its surfaces
+//   history, other history              the average of the display over frames; they take turns
+//   history places, other history places   the distances of its surfaces, and in how many frames each was seen
 
 /** A texture that a still view's later frames read again as its first one left it. */
 TextureDesc ofFirstFrame(const FrameContext& context, GLint format, int side = 0);

@@ -12,8 +12,7 @@
 namespace osgEnvLight
 {
 
-/** Where the frame before showed what moves, for the average over frames: of each pixel that shows something that has moved
- * since. */
+/** Motion vectors: where the frame before showed what a pixel shows now, of the pixels whose surface has moved since. */
 class OSGENVLIGHT_EXPORT MotionPass : public RenderPass
 {
   public:
