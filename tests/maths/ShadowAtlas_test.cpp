@@ -9,6 +9,7 @@
 #include <cmath>
 
 using osgEnvLight::Caster;
+using osgEnvLight::CasterList;
 using osgEnvLight::LightList;
 using osgEnvLight::ShadowAtlas;
 
@@ -77,7 +78,7 @@ Rows rowsOf(const ShadowAtlas& atlas)
 class FirstMaps : public testing::Test
 {
   protected:
-    FirstMaps() { atlas->setCasters(triangle()); }
+    FirstMaps() { atlas->setCasters(CasterList(triangle())); }
 
     const LightList list = evenLights();
     const osg::ref_ptr<ShadowAtlas> atlas = new ShadowAtlas(count, 8);
@@ -105,7 +106,7 @@ TEST_F(FirstMaps, LieSpreadOverTheSphereAndTheGroups)
 {
     for (const unsigned budget : {16u, 64u}) {
         const osg::ref_ptr<ShadowAtlas> maps = new ShadowAtlas(count, 8);
-        maps->setCasters(triangle());
+        maps->setCasters(CasterList(triangle()));
         std::vector<osg::Vec3d> drawn;
         for (const auto& refresh : maps->update(list, budget)) drawn.push_back(list[refresh.map].direction);
         const Rows rows = rowsOf(*maps);

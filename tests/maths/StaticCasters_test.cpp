@@ -10,6 +10,7 @@ namespace StaticCasters_test
 {
 
 using osgEnvLight::Caster;
+using osgEnvLight::CasterList;
 using osgEnvLight::StaticCasters;
 
 namespace
@@ -49,7 +50,7 @@ class Still : public testing::Test
     {
         for (unsigned i = 0; i < 5; ++i) casters.push_back(triangle(i, osg::Vec3d(100.0 * i, 0, 0)));
         still.setPlace(osg::Vec3d(7, 0, 0), 0.01);
-        still.update(casters, true, slack);
+        still.update(CasterList(casters), true, slack);
     }
     void expect(unsigned mergedArea, size_t loose)
     {
@@ -65,7 +66,7 @@ class Still : public testing::Test
     void move(size_t index, double x) { casters[index].worldFromModel = osg::Matrixd::translate(x, 50, 0); }
     void stand(unsigned frames)
     {
-        for (unsigned i = 0; i < frames; ++i) still.update(casters, false, slack);
+        for (unsigned i = 0; i < frames; ++i) still.update(CasterList(casters), false, slack);
     }
 
     std::vector<Caster> casters;
@@ -85,15 +86,32 @@ TEST_F(Still, AllAreMergedAtFirst)
     EXPECT_EQ((std::set<float>{-7, 93, 193, 293, 393}), lefts);
 }
 
+// Only their places tell them apart.
+TEST_F(Still, OfManyOfOneGeometryThoseThatMoveAreFound)
+{
+    const osg::ref_ptr<const osg::Geometry> geometry = casters[0].geometry;
+    casters.clear();
+    for (int i = 0; i < 100; ++i) casters.push_back({geometry, osg::Matrixd::translate(i, 0, 0), nullptr, 0});
+    still.update(CasterList(casters), true, slack);
+    stand(StaticCasters::patience);
+    expect(100, 0);
+    for (size_t i = 0; i < 100; i += 3) move(i, -7.0 * double(i + 1));
+    still.update(CasterList(casters), true, slack);
+    expect(66, 34);
+    casters.erase(casters.begin() + 10, casters.begin() + 20);
+    still.update(CasterList(casters), true, slack);
+    expect(59, 31);
+}
+
 TEST_F(Still, WhatMovesIsDrawnBesideTheRest)
 {
     move(1, 0.0);
-    still.update(casters, true, slack);
+    still.update(CasterList(casters), true, slack);
     expect(29, 1);
     const osg::ref_ptr<const osg::Geometry> rest = still.drawn()[0].geometry;
     for (int i = 1; i < 20; ++i) {
         move(1, i);
-        still.update(casters, true, slack);
+        still.update(CasterList(casters), true, slack);
         EXPECT_EQ(rest, still.drawn()[0].geometry);
     }
     expect(29, 1);
@@ -109,7 +127,7 @@ TEST_F(Still, WhatMovesIsDrawnBesideTheRest)
 TEST_F(Still, AllMoveAndCome)
 {
     for (size_t i = 0; i < casters.size(); ++i) move(i, double(i));
-    still.update(casters, true, slack);
+    still.update(CasterList(casters), true, slack);
     expect(0, 5);
     stand(StaticCasters::patience);
     expect(31, 0);
@@ -120,12 +138,12 @@ TEST_F(Still, SomeGoAndSomeAreNew)
     casters.erase(casters.begin() + 2);
     casters.insert(casters.begin() + 1, triangle(6));
     casters.push_back(triangle(7));
-    still.update(casters, true, slack);
+    still.update(CasterList(casters), true, slack);
     expect(27, 2);
     stand(StaticCasters::patience);
     expect(27 + 64 + 128, 0);
     casters.clear();
-    still.update(casters, true, slack);
+    still.update(CasterList(casters), true, slack);
     expect(0, 0);
 }
 
@@ -135,11 +153,11 @@ TEST_F(Still, OneShapeInManyPlaces)
         casters.push_back(casters[3]);
         casters.back().worldFromModel = osg::Matrixd::translate(0, 0, i);
     }
-    still.update(casters, true, slack);
+    still.update(CasterList(casters), true, slack);
     stand(StaticCasters::patience);
     expect(55, 0);
     casters[6].worldFromModel = osg::Matrixd::translate(0, 0, -9);
-    still.update(casters, true, slack);
+    still.update(CasterList(casters), true, slack);
     expect(47, 1);
 }
 
@@ -148,14 +166,14 @@ TEST_F(Still, RoundingIsNoMotion)
 {
     for (Caster& c : casters) c.worldFromModel.postMult(osg::Matrixd::translate(1e-9, 0, 0));
     move(4, 3.0);
-    still.update(casters, true, slack);
+    still.update(CasterList(casters), true, slack);
     expect(15, 1);
 }
 
 TEST_F(Still, PerforatedOnesStayAsTheyAre)
 {
     casters[0].state = new osg::StateSet;
-    still.update(casters, true, slack);
+    still.update(CasterList(casters), true, slack);
     expect(30, 1);
     stand(3 * StaticCasters::patience);
     expect(30, 1);
@@ -165,10 +183,10 @@ TEST_F(Still, AnotherPlaceMergesAnew)
 {
     const osg::ref_ptr<const osg::Geometry> former = still.drawn()[0].geometry;
     still.setPlace(osg::Vec3d(7, 0, 0), 0.015);  // about the same
-    still.update(casters, false, slack);
+    still.update(CasterList(casters), false, slack);
     EXPECT_EQ(former, still.drawn()[0].geometry);
     still.setPlace(osg::Vec3d(-7, 0, 0), 0.01);
-    still.update(casters, false, slack);
+    still.update(CasterList(casters), false, slack);
     EXPECT_NE(former, still.drawn()[0].geometry);
     expect(31, 0);
 }

@@ -11,6 +11,7 @@ namespace VisibleBoxes_test
 {
 
 using osgEnvLight::Caster;
+using osgEnvLight::CasterList;
 using osgEnvLight::ShadowView;
 using osgEnvLight::VisibleBoxes;
 
@@ -49,7 +50,7 @@ TEST(VisibleBoxes, BoundsAreThoseOfRandomPoints)
     for (const osg::Matrixd& projection : projections)
         for (const osg::Vec3d& eye : eyes) {
             const ShadowView view = viewFrom(eye, osg::Vec3d(0, 2, 0.3), projection);
-            const VisibleBoxes boxes(casters, view);
+            const VisibleBoxes boxes(CasterList(casters), view);
             const osg::Matrixd eyeFromWorld = osg::Matrixd::inverse(view.worldFromEye);
             const double cut = 6.0;
             double nearest = 1e300, farthest = 0.0;
@@ -84,14 +85,15 @@ TEST(VisibleBoxes, BoundsAreThoseOfRandomPoints)
 TEST(VisibleBoxes, NothingWhereNothingIs)
 {
     const ShadowView view = viewFrom(osg::Vec3d(0, -9, 0), osg::Vec3d(0, 0, 0), osg::Matrixd::perspective(40.0, 1.0, 0.1, 10.0));
-    EXPECT_TRUE(VisibleBoxes({}, view).empty());
-    EXPECT_TRUE(VisibleBoxes({box({-1, -20, -1}, {1, -18, 1})}, view).empty());                         // behind the eye
-    EXPECT_TRUE(VisibleBoxes({box({50, 0, 0}, {51, 1, 1})}, view).empty());                             // beside the view
-    EXPECT_FALSE(VisibleBoxes({box({-1, 0, -1}, {1, 1, 1})}, view).rectangle(worldAxes, 8.0).valid());  // not so near
+    EXPECT_TRUE(VisibleBoxes(CasterList(), view).empty());
+    EXPECT_TRUE(VisibleBoxes(CasterList({box({-1, -20, -1}, {1, -18, 1})}), view).empty());  // behind the eye
+    EXPECT_TRUE(VisibleBoxes(CasterList({box({50, 0, 0}, {51, 1, 1})}), view).empty());      // beside the view
+    EXPECT_FALSE(VisibleBoxes(CasterList({box({-1, 0, -1}, {1, 1, 1})}), view).rectangle(worldAxes, 8.0).valid());  // not so near
     // Too many for each to be cut: all of them together.
-    std::vector<Caster> many(1000, box({50, 0, 0}, {51, 1, 1}));
+    std::vector<Caster> many;
+    for (int i = 0; i < 1000; ++i) many.push_back(box({50, 0, 0}, {51, 1, 1}));
     many.push_back(box({-51, 0, 0}, {-50, 1, 1}));
-    EXPECT_FALSE(VisibleBoxes(many, view).empty());
+    EXPECT_FALSE(VisibleBoxes(CasterList(many), view).empty());
 }
 
 }  // namespace VisibleBoxes_test

@@ -53,6 +53,7 @@ struct FrameContext {
     ContextWatch::Listener* contextListener;
     FrameTimer* timer;  // null: times are not measured
     unsigned number;    // of the frame, in its view
+    const CasterList& casters;
 
     osg::Matrixd mapFromWorld = {};
     osg::Matrixd worldFromEye = {};
@@ -60,7 +61,6 @@ struct FrameContext {
     double baseStops = 0.0;               // the exposure that the picture has before the setting's stops
     DepthConvention depth = {};           // the host's
     const FormerFrame* former = nullptr;  // null: there was none of this size
-    std::vector<Caster> casters = {};
     std::vector<MovedCaster> moved = {};       // where the picture is averaged over frames
     SceneLightList lights = {};                // of the application that are switched on
     std::vector<Emitter> areaLights = {};      // in the world

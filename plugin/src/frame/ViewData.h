@@ -5,6 +5,7 @@
 #include "frame/FrameContext.h"
 #include "frame/FrameGraph.h"
 #include "frame/FrameResources.h"
+#include "surface/CasterCollector.h"
 #include "surface/MeshLights.h"
 
 #include <osgEnvLight/GBuffer>
@@ -59,6 +60,7 @@ class OSGENVLIGHT_EXPORT ViewData : public osg::Referenced
     bool unsettled = false;    // further frames would change the picture by themselves
     unsigned seenUpdates = 0;  // of the node, at the last cull
     FormerFrame former;
+    CasterList casters;  // of the last cull
     CasterCollector::StateSets casterStates;
     CasterMotion casterMotion;
     std::vector<Emitter> areaLights;  // AreaLights of the last cull, in the world

@@ -3,7 +3,7 @@
 
 #include "gl/FrameTimer.h"
 #include "indirect/ReflectiveMaps.h"
-#include "surface/CasterCollector.h"
+#include "surface/Caster.h"
 
 #include <osg/Drawable>
 

@@ -118,7 +118,7 @@ FrameContext DeferredTechnique::contextOf(LitScene& node, LitView& vd, const Set
                                           GBuffer& gbuffer, osgUtil::CullVisitor& cv, osgUtil::RenderStage& host)
 {
     FrameContext c{cv,      host, vd.frame(&cv), settings,   &textures, gbuffer, *_library, vd.atlasLights, vd.viewport(),
-                   nullptr, this, nullptr,       vd.number()};
+                   nullptr, this, nullptr,       vd.number(), vd.casters};
     vd.timed = node.isTimed();
     if (vd.timed) c.timer = vd.timer.get();
     const EnvironmentMap& map = *node.getEnvironmentMap();

@@ -136,7 +136,8 @@ bool mayHaveLamps(const FrameContext& c, const ViewData& data)
 void addMeshLights(FrameContext& c, ViewData& data, const std::function<void(const std::string&)>& report)
 {
     const size_t most = 4096;
-    std::vector<Emitter> lights = data.meshLights.of(c.casters, c.emittedScale(), 1e-6 * c.facts.sceneRadius);
+    if (c.casters.lamps == 0) return data.meshLights.clear();
+    std::vector<Emitter> lights = data.meshLights.of(c.casters.all, c.emittedScale(), 1e-6 * c.facts.sceneRadius);
     if (lights.size() > most) {
         report(std::to_string(lights.size()) + " meshes glow; the " + std::to_string(most) + " that send most are lights");
         const auto sendsMore = [](const Emitter& a, const Emitter& b) { return a.flux() > b.flux(); };
@@ -162,18 +163,19 @@ void findCasters(FrameContext& c, ViewData& data, osg::Group& node, SurfaceFacts
         collector.findLamps(c.lampRule());
         if (c.settings.bounce == Settings::BOUNCE_PROBES)
             collector.findSentLight(c.settings.materialColors == Settings::COLORS_SRGB);
-        c.casters = collector.collect(node);
+        collector.collect(node, data.casters);
         addMeshLights(c, data, report);
     } else {
         data.meshLights.clear();
+        data.casters.clear();
     }
     if (averages(c))
-        c.moved = data.casterMotion.update(c.casters, osg::Vec3d() * c.worldFromEye);
+        c.moved = data.casterMotion.update(c.casters.all, osg::Vec3d() * c.worldFromEye);
     else
         data.casterMotion.forget();
-    c.facts.casters = c.casters.size();
+    c.facts.casters = c.casters.all.size();
     c.showsNothing = !showsSomething(c) && c.facts.sceneRadius > 0.0;
-    if (!c.showsNothing) CasterCollector::forgetUnused(data.casterStates, c.casters);
+    if (!c.showsNothing) CasterCollector::forgetUnused(data.casterStates, c.casters.all);
 }
 
 // A LightSource that comes after the node in the graph is met after the node's cull. So the frame before says that there is one,

@@ -100,7 +100,7 @@ Requirement ReflectiveMapsPass::require(const FrameContext& c) const
     if (!maps.needed) return maps;
     const bool matters = c.settings.caustics == Settings::CAUSTICS_ON || c.indirect->polishedShare >= leastShare;
     maps.unless(!matters, "too little is of polished metal");
-    return maps.unless(maps.needed && !boundOfMirrors(c.casters).valid(), "nothing is of polished metal")
+    return maps.unless(maps.needed && !boundOfMirrors(c.casters.all).valid(), "nothing is of polished metal")
         .because("what polished metal reflects of suns and lamps, where it changes");
 }
 
@@ -128,7 +128,7 @@ void ReflectiveMapsPass::makeTargets(unsigned size, unsigned lights)
 
 void ReflectiveMapsPass::update(FrameContext& c)
 {
-    const osg::BoundingBoxd mirrors = boundOfMirrors(c.casters);
+    const osg::BoundingBoxd mirrors = boundOfMirrors(c.casters.all);
     _caustics.origin = c.indirect->scene->origin;
     _caustics.lift = c.skyMaps->texel();
     _caustics.pointWidth = 0.5 * c.indirect->scene->pointSpacing;
@@ -162,7 +162,7 @@ void ReflectiveMapsPass::setup(PassBuilder& b, FrameContext& c)
     if (c.sceneLightMaps) uniforms.push_back(&c.frame.sceneLightState());
     StageDraw& draw = c.frame.draw(name(), [] { return new ReflectiveDraw; });
     auto& maps = static_cast<ReflectiveDraw&>(draw.drawable());
-    maps.prepare(_caustics.targets, _caustics.maps, c.casters, uniforms, &state.stateSet, _caustics.origin, c.timed(name()));
+    maps.prepare(_caustics.targets, _caustics.maps, c.casters.all, uniforms, &state.stateSet, _caustics.origin, c.timed(name()));
     b.draw({name(), &maps, _camera});
 }
 

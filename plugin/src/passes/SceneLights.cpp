@@ -34,7 +34,7 @@ Requirement SceneLightMapsPass::require(const FrameContext& c) const
 
 void SceneLightMapsPass::update(FrameContext& c)
 {
-    const osg::BoundingBoxd box = boundOf(c.casters);
+    const osg::BoundingBoxd& box = c.casters.bound;
     SceneLightFaces faces;
     std::vector<EmitterPoint> points = sceneLightPoints(c.lights, c.worldFromEye, box, faces);
     if (!areRounded(points, _points, box, c.worldFromEye.getTrans())) _points = std::move(points);

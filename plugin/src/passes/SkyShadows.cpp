@@ -37,7 +37,7 @@ unsigned mapsOf(const FrameContext& c, const ShadowAtlas& maps, unsigned budget)
 // Whether a view may show less of the scene than the largest cascade: the nearest that there may be is less wide in it.
 bool mayShowLittle(const FrameContext& c)
 {
-    const osg::BoundingBoxd box = boundOf(c.casters);
+    const osg::BoundingBoxd& box = c.casters.bound;
     if (!box.valid()) return false;
     const ShadowView view{c.worldFromEye, *c.cv.getProjectionMatrix(), c.height()};
     const osg::Matrixd eyeFromWorld = osg::Matrixd::inverse(c.worldFromEye);
@@ -92,7 +92,7 @@ bool SkyShadows::followView(FrameContext& c, const ShadowAtlas& all)
     _worldFromEye = c.worldFromEye;
     _projection = projection;
     const std::optional<ProbedPoints> seen = _probe->take();
-    if (seen) _cascade.follow(*seen, 0.5 * diagonal(boundOf(c.casters)));
+    if (seen) _cascade.follow(*seen, 0.5 * diagonal(c.casters.bound));
     if (seen && _measuredFrames >= 2 && seen->worldFromEye == c.worldFromEye) _measuredFrames = known;
     if (_measuredFrames < 2 || all.moved()) c.probe = _probe.get();
     if (_measuredFrames < known) ++_measuredFrames;

@@ -74,7 +74,7 @@ void SunMaps::update(FrameContext& c)
         const ShadowView view{c.worldFromEye, *c.cv.getProjectionMatrix(), c.height()};
         const auto size = unsigned(c.settings.sunShadowSize);
         const VisibleBoxes boxes(c.casters, view);
-        const unsigned levels = SunShadows::wantedLevels(boundOf(c.casters), view, boxes, size);
+        const unsigned levels = SunShadows::wantedLevels(c.casters.bound, view, boxes, size);
         SunShadows& shadows = make(c.facts.suns.count, levels, size);
         _maps.refreshes = shadows.update(c.casters, c.inWorld(c.textures->suns()), view, boxes);
         c.drawnSunMaps = unsigned(_maps.refreshes.size());

@@ -52,7 +52,8 @@ void AtlasRefresh::prepare(const ShadowTargets& targets, const std::vector<Shado
     _timed = timed;
     _maps.clear();
     for (const ShadowRefresh& r : refreshes) _maps.push_back({r.map, new osg::RefMatrix(r.projection), r.texel, r.octaves});
-    std::stable_sort(casters.begin(), casters.end(), [](const Caster& a, const Caster& b) { return a.state < b.state; });
+    const auto byState = [](const Caster& a, const Caster& b) { return a.state < b.state; };
+    if (!std::is_sorted(casters.begin(), casters.end(), byState)) std::stable_sort(casters.begin(), casters.end(), byState);
     _casters.clear();
     const osg::Matrixd toOrigin = osg::Matrixd::translate(-targets.origin);
     bool dynamic = false;

@@ -1,7 +1,7 @@
 /* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
 #pragma once
 
-#include "surface/CasterCollector.h"
+#include "surface/Caster.h"
 #include "gl/FrameTimer.h"
 #include "shadow/ShadowTargets.h"
 

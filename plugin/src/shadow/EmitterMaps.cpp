@@ -29,13 +29,12 @@ EmitterMaps::EmitterMaps(unsigned pointCount, unsigned mapSize) : points(pointCo
     _targets = ShadowTargets(size, columns, (points + columns - 1) / columns, batch, GL_RG16, GL_RGBA16F_ARB);
 }
 
-void EmitterMaps::setCasters(const std::vector<Caster>& casters)
+void EmitterMaps::setCasters(const CasterList& casters)
 {
     const double slack = movedShare * _extent;
-    _moved = !sameShadows(casters, _casters, slack);
+    _moved = _casters.take(casters, slack);
     if (_moved) {
-        _casters = casters;
-        _box = boundOf(casters);
+        _box = casters.bound;
         _extent = _box.valid() ? diagonal(_box) : 0.0;
         if (_version == 0 || (_box.center() - _targets.origin).length() > 16.0 * _extent) _targets.origin = _box.center();
     }

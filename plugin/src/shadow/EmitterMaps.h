@@ -26,7 +26,7 @@ class OSGENVLIGHT_EXPORT EmitterMaps : public osg::Referenced
     const unsigned size;
 
     /** What casts shadows now; before update(). */
-    void setCasters(const std::vector<Caster>& casters);
+    void setCasters(const CasterList& casters);
     /** What floats are relative to, in the world: near the middle of what casts shadows. */
     const osg::Vec3d& origin() const { return _targets.origin; }
 
@@ -77,7 +77,7 @@ class OSGENVLIGHT_EXPORT EmitterMaps : public osg::Referenced
 
     std::vector<Map> _maps;
     std::vector<EmitterPoint> _list;
-    std::vector<Caster> _casters;
+    ShownCasters _casters;
     StaticCasters _still;
     osg::BoundingBoxd _box;  // of what casts shadows
     double _extent = 0.0;    // its diagonal

@@ -67,9 +67,8 @@ ShadowAtlas::ShadowAtlas(unsigned lightCount, unsigned mapSize) : lights(lightCo
 }
 
 // The bound stays while it fits: a caster that wanders within it moves no map.
-void ShadowAtlas::fit(const std::vector<Caster>& casters)
+void ShadowAtlas::fit(const osg::BoundingBoxd& bound)
 {
-    const osg::BoundingBoxd bound = boundOf(casters);
     if (!bound.valid() || (contains(_box, bound) && diagonal(bound) > 0.5 * diagonal(_box))) return;
     const double margin = 0.02 * diagonal(bound);
     const osg::Vec3d more(margin, margin, margin);
@@ -140,15 +139,12 @@ osg::BoundingSphered ShadowAtlas::shown() const
                                 _focus.radius() + (_formerFocus.radius() - _focus.radius()) * left);
 }
 
-void ShadowAtlas::setCasters(const std::vector<Caster>& casters)
+void ShadowAtlas::setCasters(const CasterList& casters)
 {
     const double side = _focus.valid() ? 2.0 * _focus.radius() : diagonal(_box);
     const double texel = _box.valid() ? side / size : 0.0;
-    _moved = !sameShadows(casters, _casters, 0.02 * texel);
-    if (_moved) {
-        fit(casters);
-        _casters = casters;
-    }
+    _moved = _casters.take(casters, 0.02 * texel);
+    if (_moved) fit(casters.bound);
     if (!_box.valid() || _focus.valid()) return;
     _still.setPlace(_targets.origin, 0.5 * diagonal(_box) / size);
     _still.update(casters, _moved, 0.02 * texel);

@@ -1,7 +1,7 @@
 /* -*-c++-*- osgEnvLight, SPDX-License-Identifier: MIT */
 #pragma once
 
-#include "surface/CasterCollector.h"
+#include "surface/Caster.h"
 #include <osgEnvLight/DirectionalLight>
 #include "shadow/ShadowTargets.h"
 #include "surface/StaticCasters.h"
@@ -45,11 +45,11 @@ class OSGENVLIGHT_EXPORT ShadowAtlas : public osg::Referenced
     osg::BoundingSphered shown() const;
 
     /** What casts shadows now; before update(). */
-    void setCasters(const std::vector<Caster>& casters);
+    void setCasters(const CasterList& casters);
 
     /** What the maps of update() show: the casters, those that stand still and are solid merged into one; with a focus as they
      * are, for most lie beyond it. */
-    std::vector<Caster> drawn() const { return _focus.valid() ? _casters : _still.drawn(); }
+    std::vector<Caster> drawn() const { return _focus.valid() ? _casters.all() : _still.drawn(); }
     /** The casters that stand still; without a focus. */
     const StaticCasters& still() const { return _still; }
     /** Triangles of drawn(). */
@@ -108,7 +108,7 @@ class OSGENVLIGHT_EXPORT ShadowAtlas : public osg::Referenced
     };
     void setLights(const LightList& list);
     std::vector<unsigned> servingLights() const;
-    void fit(const std::vector<Caster>& casters);
+    void fit(const osg::BoundingBoxd& bound);
     void place(Map& map, unsigned index, const osg::Vec3d& direction) const;
     void writePlace(osg::Image& image, unsigned index, unsigned firstRow, const osg::Vec3d& origin) const;
     bool showsAs(const ShadowAtlas& other, unsigned index) const;
@@ -119,7 +119,7 @@ class OSGENVLIGHT_EXPORT ShadowAtlas : public osg::Referenced
     LightList _list;
     std::vector<double> _solidAngles;
     std::vector<unsigned> _rank;  // of each light, by when its first map is drawn
-    std::vector<Caster> _casters;
+    ShownCasters _casters;
     StaticCasters _still;
     bool _moved = false;
     unsigned _turn = 0;

@@ -98,9 +98,8 @@ unsigned SunShadows::wantedLevels(const osg::BoundingBoxd& scene, const ShadowVi
 }
 
 // The bound stays while it fits: a caster that wanders within it moves no map.
-bool SunShadows::fitScene(const std::vector<Caster>& casters)
+bool SunShadows::fitScene(const osg::BoundingBoxd& bound)
 {
-    const osg::BoundingBoxd bound = boundOf(casters);
     if (!bound.valid() || (contains(_box, bound) && diagonal(bound) > 0.5 * diagonal(_box))) return false;
     const double margin = 0.02 * diagonal(bound);
     const osg::Vec3d more(margin, margin, margin);
@@ -197,16 +196,15 @@ ShadowRefresh SunShadows::refresh(unsigned index, unsigned level) const
     return {index * levels + level, m, float(r.texel(size) / (sun.high - sun.low))};
 }
 
-std::vector<ShadowRefresh> SunShadows::update(const std::vector<Caster>& casters, const DominantLights& list,
-                                              const ShadowView& view, const VisibleBoxes& boxes)
+std::vector<ShadowRefresh> SunShadows::update(const CasterList& casters, const DominantLights& list, const ShadowView& view,
+                                              const VisibleBoxes& boxes)
 {
     double texel = _box.valid() ? diagonal(_box) / size : 0.0;
     for (const Sun& sun : _suns)
         for (const Rectangle& r : sun.rectangles)
             if (r.exists()) texel = std::min({texel, r.sides.x() / size, r.sides.y() / size});
-    const bool moved = !sameShadows(casters, _casters, 0.02 * texel);
-    const bool fitted = moved && fitScene(casters);
-    if (moved) _casters = casters;
+    const bool moved = _casters.take(casters, 0.02 * texel);
+    const bool fitted = moved && fitScene(casters.bound);
     const bool lost = _lost.exchange(false);
     std::vector<ShadowRefresh> refreshes;
     bool changed = fitted;

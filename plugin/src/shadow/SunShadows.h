@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/Limits.h"
-#include "surface/CasterCollector.h"
+#include "surface/Caster.h"
 #include "environment/DominantLight.h"
 #include "shadow/ShadowTargets.h"
 #include "shadow/VisibleBoxes.h"
@@ -43,11 +43,11 @@ class OSGENVLIGHT_EXPORT SunShadows : public osg::Referenced
     /** What to draw in this frame.
      * @param list   the suns, in the world
      * @param boxes  of the casters */
-    std::vector<ShadowRefresh> update(const std::vector<Caster>& casters, const DominantLights& list, const ShadowView& view,
+    std::vector<ShadowRefresh> update(const CasterList& casters, const DominantLights& list, const ShadowView& view,
                                       const VisibleBoxes& boxes);
 
     /** What casts shadows, as it was at the last update(). */
-    const std::vector<Caster>& casters() const { return _casters; }
+    const std::vector<Caster>& casters() const { return _casters.all(); }
     /** Maps of the last update(). */
     unsigned drawn() const { return _drawn; }
     /** Changes whenever the values of setUniforms() do. */
@@ -85,7 +85,7 @@ class OSGENVLIGHT_EXPORT SunShadows : public osg::Referenced
         Rectangles rectangles;
         bool lost = true;
     };
-    bool fitScene(const std::vector<Caster>& casters);
+    bool fitScene(const osg::BoundingBoxd& bound);
     void place(Sun& sun, const osg::Vec3d& direction) const;
     void fitLevels(const Sun& sun, const ShadowView& view, const VisibleBoxes& boxes, Rectangles& rectangles) const;
     osg::BoundingBoxd nearPart(const Sun& sun, const ShadowView& view, const VisibleBoxes& boxes, const Rectangle& former) const;
@@ -93,7 +93,7 @@ class OSGENVLIGHT_EXPORT SunShadows : public osg::Referenced
     ShadowRefresh refresh(unsigned index, unsigned level) const;
 
     std::vector<Sun> _suns;
-    std::vector<Caster> _casters;
+    ShownCasters _casters;
     osg::BoundingBoxd _box;
     unsigned _drawn = 0;
     unsigned _version = 0;

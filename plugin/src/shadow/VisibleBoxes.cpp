@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shadow/VisibleBoxes.h"
 
-#include "surface/CasterCollector.h"
+#include "surface/Caster.h"
 
 #include <osg/Plane>
 
@@ -52,10 +52,10 @@ struct VisibleBoxes::Pyramid {
     std::array<Polygon, 4> faces;
 };
 
-VisibleBoxes::VisibleBoxes(const std::vector<Caster>& casters, const ShadowView& view)
+VisibleBoxes::VisibleBoxes(const CasterList& casters, const ShadowView& view)
     : _eyeFromWorld(osg::Matrixd::inverse(view.worldFromEye))
 {
-    const osg::BoundingBoxd all = boundOf(casters);
+    const osg::BoundingBoxd& all = casters.bound;
     if (!all.valid()) return;
     double reach = 0.0;
     for (unsigned i = 0; i < 8; ++i) reach = std::max(reach, corner(all.corner(i)).depth);
@@ -70,10 +70,10 @@ VisibleBoxes::VisibleBoxes(const std::vector<Caster>& casters, const ShadowView&
         pyramid.planes[i] = osg::Plane(a, b, view.at(x[i], y[i], 0.5 * reach));
         if (pyramid.planes[i].distance(view.at(0, 0, reach)) < 0.0) pyramid.planes[i].flip();
     }
-    if (casters.size() > mostBoxes)
+    if (casters.all.size() > mostBoxes)
         add(all, pyramid);
     else
-        for (const Caster& caster : casters) add(boundOf(caster), pyramid);
+        for (const Caster& caster : casters.all) add(boundOf(caster), pyramid);
 }
 
 VisibleBoxes::Corner VisibleBoxes::corner(const osg::Vec3d& point) const

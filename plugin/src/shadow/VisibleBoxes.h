@@ -30,7 +30,7 @@ struct OSGENVLIGHT_EXPORT ShadowView {
 class OSGENVLIGHT_EXPORT VisibleBoxes
 {
   public:
-    VisibleBoxes(const std::vector<Caster>& casters, const ShadowView& view);
+    VisibleBoxes(const CasterList& casters, const ShadowView& view);
 
     bool empty() const { return _polygons.empty(); }
     /** Along the view's axis; of nothing, nearest is greater. */

@@ -3,6 +3,8 @@
 
 #include <osg/Billboard>
 #include <osg/Camera>
+#include <osg/MatrixTransform>
+#include <osg/PositionAttitudeTransform>
 #include <osg/Projection>
 #include <osgUtil/CullVisitor>
 #include <osgUtil/StateGraph>
@@ -10,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <typeinfo>
 
 namespace osgEnvLight
 {
@@ -45,6 +48,25 @@ CasterState stateOf(const MovingStates::Path& path, SurfaceFacts* facts)
     return state;
 }
 
+// What differs by no more is rounding: the eye's place was multiplied in by the host, and out again.
+bool isRounded(const osg::Matrixd& a, const osg::Matrixd& b, const osg::Vec3d& eye)
+{
+    const double rounding = 1e-12, far = eye.length() + a.getTrans().length();
+    for (int row = 0; row < 4; ++row) {
+        const double size = row < 3 ? std::abs(a(row, 0)) + std::abs(a(row, 1)) + std::abs(a(row, 2)) : far;
+        for (int column = 0; column < 4; ++column)
+            if (!(std::abs(a(row, column) - b(row, column)) <= rounding * size)) return false;
+    }
+    return true;
+}
+
+// These matrices say where children are whatever the view.
+bool isPlain(const osg::Transform& node)
+{
+    if (node.getReferenceFrame() != osg::Transform::RELATIVE_RF) return false;
+    return typeid(node) == typeid(osg::MatrixTransform) || typeid(node) == typeid(osg::PositionAttitudeTransform);
+}
+
 }  // namespace
 
 CasterCollector::CasterCollector(osgUtil::CullVisitor& cv, const osg::Matrixd& worldFromEye, StateSets& stateSets,
@@ -52,10 +74,12 @@ CasterCollector::CasterCollector(osgUtil::CullVisitor& cv, const osg::Matrixd& w
     : osg::NodeVisitor(osg::NodeVisitor::NODE_VISITOR, osg::NodeVisitor::TRAVERSE_ACTIVE_CHILDREN),
       osg::CullStack(cv),  // not made anew, which reads the environment's variables and, at INFO, prints that in every frame
       _worldFromEye(worldFromEye),
+      _eyeFromWorld(osg::Matrixd::inverse(worldFromEye)),
       _stateSets(stateSets),
       _path(pathTo(cv))
 {
-    _states.push_back(stateOf(_path, facts));
+    _levels.push_back({stateOf(_path, facts), {}, {}});
+    _places.push_back({*cv.getModelViewMatrix() * worldFromEye, true});
     setTraversalMask(cv.getTraversalMask());
     setNodeMaskOverride(cv.getNodeMaskOverride());
     setFrameStamp(const_cast<osg::FrameStamp*>(cv.getFrameStamp()));
@@ -67,10 +91,19 @@ CasterCollector::CasterCollector(osgUtil::CullVisitor& cv, const osg::Matrixd& w
     pushModelViewMatrix(cv.getModelViewMatrix(), osg::Transform::ABSOLUTE_RF);
 }
 
-std::vector<Caster> CasterCollector::collect(osg::Group& group)
+void CasterCollector::collect(osg::Group& group, CasterList& list)
 {
+    osg::Matrixd& worldFromNode = _places.back().worldFromModel;
+    if (isRounded(worldFromNode, list.worldFromNode, _worldFromEye.getTrans())) worldFromNode = list.worldFromNode;
+    list.worldFromNode = worldFromNode;
+    _list = &list;
+    _count = list.lamps = 0;
+    _isChanged = false;
     for (unsigned i = 0; i < group.getNumChildren(); ++i) group.getChild(i)->accept(*this);
-    return std::move(_casters);
+    if (!_isChanged && _count == list.all.size() && list.version > 0) return;
+    list.all.resize(_count);
+    list.bound = boundOf(list.all);
+    ++list.version;
 }
 
 void CasterCollector::forgetUnused(StateSets& stateSets, const std::vector<Caster>& casters)
@@ -83,19 +116,34 @@ void CasterCollector::forgetUnused(StateSets& stateSets, const std::vector<Caste
     stateSets.moving.forgetUnused(used);
 }
 
+// The matrices that only nodes ask for are made when one does.
+osg::CullStack& CasterCollector::cullStack()
+{
+    Place& place = _places.back();
+    if (!place.isPushed)
+        pushModelViewMatrix(new osg::RefMatrix(place.worldFromModel * _eyeFromWorld), osg::Transform::RELATIVE_RF);
+    place.isPushed = true;
+    return *this;
+}
+
+const osg::CullStack& CasterCollector::cullStack() const
+{
+    return const_cast<CasterCollector*>(this)->cullStack();
+}
+
 float CasterCollector::getDistanceToEyePoint(const osg::Vec3& pos, bool withLODScale) const
 {
-    return (pos - getEyeLocal()).length() * (withLODScale ? getLODScale() : 1.0f);
+    return (pos - getEyePoint()).length() * (withLODScale ? getLODScale() : 1.0f);
 }
 
 float CasterCollector::getDistanceToViewPoint(const osg::Vec3& pos, bool withLODScale) const
 {
-    return (pos - getViewPointLocal()).length() * (withLODScale ? getLODScale() : 1.0f);
+    return (pos - getViewPoint()).length() * (withLODScale ? getLODScale() : 1.0f);
 }
 
 float CasterCollector::getDistanceFromEyePoint(const osg::Vec3& pos, bool withLODScale) const
 {
-    const osg::Matrixd& m = *const_cast<CasterCollector*>(this)->getModelViewMatrix();
+    const osg::Matrixd& m = *const_cast<CasterCollector*>(this)->cullStack().getModelViewMatrix();
     const double z = double(pos.x()) * m(0, 2) + double(pos.y()) * m(1, 2) + double(pos.z()) * m(2, 2) + m(3, 2);
     return float(-z) * (withLODScale ? getLODScale() : 1.0f);
 }
@@ -103,15 +151,15 @@ float CasterCollector::getDistanceFromEyePoint(const osg::Vec3& pos, bool withLO
 void CasterCollector::push(const osg::StateSet* stateSet)
 {
     if (!stateSet) return;
-    _states.push_back(_states.back());
-    _states.back().merge(*stateSet);
+    _levels.push_back({_levels.back().state, {}, {}});
+    _levels.back().state.merge(*stateSet);
     _path.push_back(stateSet);
 }
 
 void CasterCollector::pop(const osg::StateSet* stateSet)
 {
     if (!stateSet) return;
-    _states.pop_back();
+    _levels.pop_back();
     _path.pop_back();
 }
 
@@ -129,25 +177,37 @@ void CasterCollector::apply(osg::Node& node)
 
 void CasterCollector::apply(osg::Transform& node)
 {
-    osg::ref_ptr<osg::RefMatrix> matrix = new osg::RefMatrix(*getModelViewMatrix());
+    if (isPlain(node)) {
+        _places.push_back({_places.back().worldFromModel, false});
+        node.computeLocalToWorldMatrix(_places.back().worldFromModel, this);
+        return traverseAtLastPlace(node);
+    }
+    osg::ref_ptr<osg::RefMatrix> matrix = new osg::RefMatrix(*cullStack().getModelViewMatrix());
     node.computeLocalToWorldMatrix(*matrix, this);
     pushModelViewMatrix(matrix.get(), node.getReferenceFrame());
+    _places.push_back({*matrix * _worldFromEye, true});
+    traverseAtLastPlace(node);
+}
+
+void CasterCollector::traverseAtLastPlace(osg::Transform& node)
+{
     traverseWith(node.getStateSet(), node);
-    popModelViewMatrix();
+    if (_places.back().isPushed) popModelViewMatrix();
+    _places.pop_back();
 }
 
 // As the view turns it.
 void CasterCollector::apply(osg::Billboard& node)
 {
-    const osg::Vec3 eye = getEyeLocal();
+    const osg::Vec3 eye = getEyePoint();
     for (unsigned i = 0; i < node.getNumDrawables(); ++i) {
         const osg::Geometry* geometry = node.getDrawable(i)->asGeometry();
         if (!geometry) continue;
-        osg::Matrixd matrix(*getModelViewMatrix());
+        osg::Matrixd matrix(*cullStack().getModelViewMatrix());
         node.computeMatrix(matrix, eye, node.getPosition(i));
         const osg::StateSet* of[] = {static_cast<const osg::Node&>(node).getStateSet(), geometry->getStateSet()};
         for (const osg::StateSet* s : of) push(s);
-        add(*geometry, matrix);
+        add(*geometry, matrix * _worldFromEye);
         for (const osg::StateSet* s : of) pop(s);
     }
 }
@@ -155,98 +215,64 @@ void CasterCollector::apply(osg::Billboard& node)
 void CasterCollector::apply(osg::Geometry& geometry)
 {
     push(geometry.getStateSet());
-    add(geometry, *getModelViewMatrix());
+    add(geometry, _places.back().worldFromModel);
     pop(geometry.getStateSet());
 }
 
-void CasterCollector::add(const osg::Geometry& geometry, const osg::Matrixd& eyeFromModel)
+// Most are what they were in the frame before, and matrices are large: they are not copied to find that out.
+void CasterCollector::add(const osg::Geometry& geometry, const osg::Matrixd& worldFromModel)
 {
-    const CasterState& state = _states.back();
+    const CasterState& state = _levels.back().state;
     if (!state.casts(&geometry) || !hasSurfaces(geometry)) return;
-    Caster caster{&geometry, eyeFromModel * _worldFromEye, nullptr,
-                  geometry.getVertexArray() ? geometry.getVertexArray()->getModifiedCount() : 0};
-    if (state.movingProgram()) {
-        caster.moves = true;
-        caster.state = _stateSets.moving.get(_path, state, geometry);
-        caster.shape += _stateSets.moving.change(_path, *state.movingProgram(), getTraversalNumber());
-        _casters.push_back(caster);
-        return;
-    }
+    Caster caster;
+    caster.shape = geometry.getVertexArray() ? geometry.getVertexArray()->getModifiedCount() : 0;
+    caster.box = geometry.getBoundingBox();
+    if (state.movingProgram())
+        setMotion(geometry, caster);
+    else
+        setLight(geometry, caster);
+    std::vector<Caster>& all = _list->all;
+    const size_t place = _count++;
+    if (place == all.size()) all.emplace_back();
+    Caster& former = all[place];
+    if (former.geometry == &geometry && former.worldFromModel == worldFromModel && former.isLike(caster)) return;
+    caster.geometry = &geometry;
+    caster.worldFromModel = worldFromModel;
+    caster.bound = boundOf(caster);
+    former = std::move(caster);
+    _isChanged = true;
+}
+
+void CasterCollector::setMotion(const osg::Geometry& geometry, Caster& caster)
+{
+    const CasterState& state = _levels.back().state;
+    caster.moves = true;
+    caster.state = _stateSets.moving.get(_path, state, geometry);
+    caster.shape += _stateSets.moving.change(_path, *state.movingProgram(), getTraversalNumber());
+}
+
+void CasterCollector::setLight(const osg::Geometry& geometry, Caster& caster)
+{
+    Level& level = _levels.back();
+    const CasterState& state = level.state;
     if (state.perforated(geometry)) {
         osg::ref_ptr<osg::StateSet>& shared = _stateSets.perforated[state.key(geometry)];
         if (!shared) shared = state.makeStateSet(geometry);
         caster.state = shared;
     }
-    if (_findsSentLight) {
+    if (_findsSentLight && geometry.getColorArray()) {
         caster.sent = state.sentLight(geometry, _displayColors);
-        if (caster.state) caster.sent.opacity = state.opacity();
+    } else if (_findsSentLight) {
+        if (!level.sent) level.sent = state.sentLight(geometry, _displayColors);
+        caster.sent = *level.sent;
     }
-    const osg::Vec3f lamp = state.lampEmission(_lampRule);
-    if (lamp != osg::Vec3f() && !state.drawnForward(&geometry)) {
-        caster.lamp = lamp;
-        caster.bothSides = !state.culled();
-        caster.sent.emission = osg::Vec3f();
-    }
-    _casters.push_back(caster);
-}
-
-bool sameShadow(const Caster& a, const Caster& b, double slack)
-{
-    if (a.geometry != b.geometry || a.state != b.state || a.shape != b.shape) return false;
-    if (a.worldFromModel == b.worldFromModel) return true;
-    const osg::BoundingBox& box = a.geometry->getBoundingBox();
-    for (unsigned k = 0; box.valid() && k < 8; ++k) {
-        const osg::Vec3d corner = box.corner(k);
-        if ((corner * a.worldFromModel - corner * b.worldFromModel).length() > slack) return false;
-    }
-    return true;
-}
-
-bool sameShadows(const std::vector<Caster>& a, const std::vector<Caster>& b, double slack)
-{
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [&](const Caster& x, const Caster& y) { return sameShadow(x, y, slack); });
-}
-
-osg::BoundingBoxd boundOf(const Caster& caster)
-{
-    osg::BoundingBoxd bound;
-    const osg::BoundingBox& box = caster.geometry->getBoundingBox();
-    for (unsigned k = 0; box.valid() && k < 8; ++k) {
-        const osg::Vec3d p = osg::Vec3d(box.corner(k)) * caster.worldFromModel;
-        if (std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z())) bound.expandBy(p);
-    }
-    return bound;
-}
-
-osg::BoundingBoxd boundOf(const std::vector<Caster>& casters)
-{
-    osg::BoundingBoxd bound;
-    for (const Caster& caster : casters) bound.expandBy(boundOf(caster));
-    return bound;
-}
-
-size_t trianglesOf(const std::vector<Caster>& casters)
-{
-    size_t sum = 0;
-    for (const Caster& caster : casters)
-        for (unsigned i = 0; i < caster.geometry->getNumPrimitiveSets(); ++i) {
-            const osg::PrimitiveSet& set = *caster.geometry->getPrimitiveSet(i);
-            sum += set.getMode() == GL_TRIANGLES ? set.getNumIndices() / 3 : set.getNumIndices();
-        }
-    return sum;
-}
-
-bool mapShows(const osg::Matrixd& projection, const osg::BoundingBoxd& bound)
-{
-    bool outside[5] = {true, true, true, true, true};
-    for (unsigned i = 0; i < 8; ++i) {
-        const osg::Vec4d p = osg::Vec4d(bound.corner(i), 1.0) * projection;
-        const double reach = p[3] + 1e-3 * std::abs(p[3]);
-        const double beyond[5] = {p[0] - reach, -p[0] - reach, p[1] - reach, -p[1] - reach, p[2] - reach};
-        for (int k = 0; k < 5; ++k) outside[k] = outside[k] && beyond[k] > 0.0;
-    }
-    return std::find(outside, outside + 5, true) == outside + 5;
+    if (_findsSentLight && caster.state) caster.sent.opacity = state.opacity();
+    if (!level.lamp) level.lamp = state.lampEmission(_lampRule);
+    if (*level.lamp == osg::Vec3f() || state.drawnForward(&geometry)) return;
+    caster.lamp = *level.lamp;
+    caster.bothSides = !state.culled();
+    caster.sent.emission = osg::Vec3f();
+    ++_list->lamps;
 }
 
 }  // namespace osgEnvLight

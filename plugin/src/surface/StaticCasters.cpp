@@ -4,9 +4,43 @@
 #include "surface/CoarseMesh.h"
 
 #include <algorithm>
+#include <functional>
+#include <unordered_map>
 
 namespace osgEnvLight
 {
+
+// Where casters stand in the order that they had.
+class StaticCasters::FormerPlaces
+{
+  public:
+    explicit FormerPlaces(const std::vector<Still>& former) : _former(former) {}
+
+    /** From a place on; all of them: it is not there. Made when first asked, and by hash: many that move among many that stand
+     * still would take a time that grows with the product. */
+    size_t find(const Caster& caster, size_t from)
+    {
+        if (_places.empty())
+            for (size_t i = 0; i < _former.size(); ++i) _places.emplace(hash(_former[i].caster), i);
+        size_t found = _former.size();
+        const auto [first, last] = _places.equal_range(hash(caster));
+        for (auto it = first; it != last; ++it)
+            if (it->second >= from && sameShadow(_former[it->second].caster, caster, 0.0)) found = std::min(found, it->second);
+        return found;
+    }
+
+  private:
+    static size_t hash(const Caster& caster)
+    {
+        size_t value = std::hash<const void*>()(caster.geometry.get());
+        for (int i = 0; i < 4; ++i)
+            for (int k = 0; k < 3; ++k) value = 31 * value + std::hash<double>()(caster.worldFromModel(i, k));
+        return value;
+    }
+
+    const std::vector<Still>& _former;
+    std::unordered_multimap<size_t, size_t> _places;  // by hash
+};
 
 void StaticCasters::setPlace(const osg::Vec3d& origin, double cell)
 {
@@ -14,20 +48,17 @@ void StaticCasters::setPlace(const osg::Vec3d& origin, double cell)
     _origin = origin;
     _cell = cell;
     _still.clear();
+    _perforated = 0;
     _geometry = nullptr;
 }
 
-void StaticCasters::update(const std::vector<Caster>& casters, bool moved, double slack)
+void StaticCasters::update(const CasterList& casters, bool moved, double slack)
 {
     _frames = moved ? 0 : _frames + 1;
     const bool merges = !_geometry || (!noneMoves() && _frames == patience);
-    if (merges || moved) sort(casters, merges, slack);
-    takeSentLight(casters);
-}
-
-size_t StaticCasters::countPerforated() const
-{
-    return size_t(std::count_if(_still.begin(), _still.end(), [](const Still& s) { return s.caster.state.valid(); }));
+    if (merges || moved) sort(casters.all, merges, slack);
+    if (casters.version == 0 || casters.version != _seen) takeSentLight(casters.all);
+    _seen = casters.version;
 }
 
 // Those that are merged are some of the casters, in their order.
@@ -54,20 +85,22 @@ StaticCasters::Parts StaticCasters::parts() const
     return parts;
 }
 
-// Both lists have one order; the former meshes serve on.
+// Both lists have one order, but some of either are not in the other; the former meshes serve on.
 void StaticCasters::sort(const std::vector<Caster>& casters, bool merges, double slack)
 {
     std::vector<Still> former;
     former.swap(_still);
     _loose.clear();
+    _perforated = 0;
     size_t next = 0;
+    FormerPlaces places(former);
     for (const Caster& caster : casters) {
         if (caster.moves) {
             _loose.push_back(caster);
             continue;
         }
         size_t found = next;
-        while (found < former.size() && !sameShadow(former[found].caster, caster, slack)) ++found;
+        if (found == former.size() || !sameShadow(former[found].caster, caster, slack)) found = places.find(caster, next);
         if (found < former.size()) {
             _still.push_back(std::move(former[found]));
             next = found + 1;
@@ -77,7 +110,9 @@ void StaticCasters::sort(const std::vector<Caster>& casters, bool merges, double
             _loose.push_back(caster);
             continue;
         }
-        if (caster.state) _loose.push_back(caster);
+        if (!caster.state) continue;
+        _loose.push_back(caster);
+        ++_perforated;
     }
     if (merges || _still.size() != former.size()) build();
 }

@@ -18,7 +18,7 @@ class OSGENVLIGHT_EXPORT StaticCasters
     void setPlace(const osg::Vec3d& origin, double cell);
 
     /** @param moved  whether they differ from the last ones by more than slack [world units] */
-    void update(const std::vector<Caster>& casters, bool moved, double slack);
+    void update(const CasterList& casters, bool moved, double slack);
 
     /** Those that stand still, solid or perforated: their triangles about the place's origin, and the light that they send on. */
     struct Part {
@@ -36,7 +36,7 @@ class OSGENVLIGHT_EXPORT StaticCasters
     bool areAll() const { return _geometry && _loose.empty(); }
 
     /** No caster moves: parts() leave out none. */
-    bool noneMoves() const { return _geometry && _loose.size() == countPerforated(); }
+    bool noneMoves() const { return _geometry && _loose.size() == _perforated; }
 
     /** What stands for all of them. */
     std::vector<Caster> drawn() const;
@@ -55,7 +55,7 @@ class OSGENVLIGHT_EXPORT StaticCasters
         Caster caster;
         std::shared_ptr<const CasterMesh> mesh;
     };
-    size_t countPerforated() const;  // of those that stand still
+    class FormerPlaces;
     void sort(const std::vector<Caster>& casters, bool merges, double slack);
     void build();
     void takeSentLight(const std::vector<Caster>& casters);
@@ -64,8 +64,10 @@ class OSGENVLIGHT_EXPORT StaticCasters
     double _cell = 0.0;
     std::vector<Still> _still;              // in the casters' order
     std::vector<Caster> _loose;             // what is drawn as it is: all others, and of those the perforated ones
+    size_t _perforated = 0;                 // how many of them stand still
     osg::ref_ptr<osg::Geometry> _geometry;  // of the solid ones of _still; null before the first update
     unsigned _frames = 0;                   // since the last motion
+    unsigned _seen = 0;                     // version of the casters whose light was taken
     unsigned _generation = 0;
     unsigned _sentVersion = 1;
 };
