@@ -222,4 +222,47 @@ TEST(ShownCasters, TakeWhatTheyDoNotShow)
     EXPECT_TRUE(shown.take(view.collect(), 0.01));
 }
 
+void expectBox(const osgEnvLight::ChangedPart& part, const osg::Vec3d& low, const osg::Vec3d& high)
+{
+    EXPECT_FALSE(part.isWhole());
+    EXPECT_NEAR((part.box()._min - low).length(), 0.0, 1e-9);
+    EXPECT_NEAR((part.box()._max - high).length(), 0.0, 1e-9);
+}
+
+// Where a caster was and where it is; what only looks different casts the same shadow.
+TEST(ShownCasters, KnowWhereShadowsHaveChanged)
+{
+    Collection view;
+    osg::ref_ptr<osg::MatrixTransform> a = triangleAt(osg::Matrixd()), b = triangleAt(osg::Matrixd::translate(100, 0, 0));
+    view.root->addChild(a);
+    view.root->addChild(b);
+    ShownCasters shown;
+    shown.take(view.collect(), 0.0);
+    a->setMatrix(osg::Matrixd::translate(10, 20, 30));
+    osg::ref_ptr<osg::Material> red = new osg::Material;
+    red->setDiffuse(osg::Material::FRONT_AND_BACK, osg::Vec4(1, 0, 0, 1));
+    b->getOrCreateStateSet()->setAttribute(red);
+    ASSERT_TRUE(shown.take(view.collect(), 0.0));
+    expectBox(shown.changed(), osg::Vec3d(0, 0, 0), osg::Vec3d(11, 21, 30));
+    view.root->addChild(triangleAt(osg::Matrixd::translate(-5, 0, 0)));
+    ASSERT_TRUE(shown.take(view.collect(), 0.0));
+    expectBox(shown.changed(), osg::Vec3d(-5, 0, 0), osg::Vec3d(-4, 1, 0));
+    view.root->removeChild(2);
+    ASSERT_TRUE(shown.take(view.collect(), 0.0));
+    expectBox(shown.changed(), osg::Vec3d(-5, 0, 0), osg::Vec3d(-4, 1, 0));
+    // The application need not say that the bound is another: from the second change on it is measured.
+    osg::Geometry& geometry = *b->getChild(0)->asGeometry();
+    auto& vertices = static_cast<osg::Vec3Array&>(*geometry.getVertexArray());
+    vertices.dirty();
+    ASSERT_TRUE(shown.take(view.collect(), 0.0));
+    EXPECT_TRUE(shown.changed().isWhole());
+    vertices[1] = osg::Vec3(7, 0, 0);
+    vertices.dirty();
+    ASSERT_TRUE(shown.take(view.collect(), 0.0));
+    expectBox(shown.changed(), osg::Vec3d(100, 0, 0), osg::Vec3d(107, 1, 0));
+    b->setMatrix(osg::Matrixd::translate(100, 0, 4));
+    ASSERT_TRUE(shown.take(view.collect(), 0.0));
+    expectBox(shown.changed(), osg::Vec3d(100, 0, 0), osg::Vec3d(107, 1, 4));
+}
+
 }  // namespace CasterCollector_test

@@ -11,6 +11,7 @@
 #include "gl/RetiredObjects.h"
 #include "shadow/EmitterMaps.h"
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
@@ -75,7 +76,9 @@ class MapsOwner
     void draw(PassBuilder& builder, FrameContext& context, const char* pass, const std::string& name, const MapShaders& shaders,
               const std::function<std::vector<Caster>()>& casters)
     {
-        if (!refreshes.empty()) drawMaps(builder, context, pass, name, shaders, *_camera, _maps->targets(), refreshes, casters());
+        const auto isEmpty = [](const ShadowRefresh& r) { return r.region.isEmpty(); };
+        if (!std::all_of(refreshes.begin(), refreshes.end(), isEmpty))
+            drawMaps(builder, context, pass, name, shaders, *_camera, _maps->targets(), refreshes, casters());
         refreshes.clear();
     }
 

@@ -51,7 +51,12 @@ void AtlasRefresh::prepare(const ShadowTargets& targets, const std::vector<Shado
     _states = states;
     _timed = timed;
     _maps.clear();
-    for (const ShadowRefresh& r : refreshes) _maps.push_back({r.map, new osg::RefMatrix(r.projection), r.texel, r.octaves});
+    for (const ShadowRefresh& r : refreshes) {
+        if (r.region.isEmpty()) continue;
+        const MapRegion region = r.region.within(targets.size);
+        _maps.push_back(
+            {r.map, new osg::RefMatrix(r.projection), region.projection(r.projection, targets.size), r.texel, r.octaves, region});
+    }
     const auto byState = [](const Caster& a, const Caster& b) { return a.state < b.state; };
     if (!std::is_sorted(casters.begin(), casters.end(), byState)) std::stable_sort(casters.begin(), casters.end(), byState);
     _casters.clear();
@@ -79,6 +84,9 @@ void AtlasRefresh::drawImplementation(osg::RenderInfo& renderInfo) const
         storeMidpoints(renderInfo, begin, end);
     }
     _timed.end(state);
+    glDisable(GL_SCISSOR_TEST);
+    state.haveAppliedMode(GL_SCISSOR_TEST, osg::StateAttribute::OFF);
+    state.haveAppliedAttribute(osg::StateAttribute::SCISSOR);
     state.haveAppliedAttribute(osg::StateAttribute::VIEWPORT);
     for (unsigned unit = 0; unit < _states.second->getNumTextureAttributeLists(); ++unit)
         state.haveAppliedTextureAttribute(unit, osg::StateAttribute::TEXTURE);
@@ -91,7 +99,10 @@ void AtlasRefresh::drawCasters(osg::RenderInfo& renderInfo, osg::FrameBufferObje
     bindFrameBuffer(state, target);
     state.pushStateSet(&stateSet);
     state.apply();
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    for (size_t k = begin; k < end; ++k) {
+        scissor(_maps[k], int(k - begin) * int(_targets.size), 0);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    }
     for (size_t i = 0; i < _casters.size();) {
         size_t next = i + 1;
         while (next < _casters.size() && _casters[next].state == _casters[i].state) ++next;
@@ -111,16 +122,25 @@ void AtlasRefresh::drawRun(osg::RenderInfo& renderInfo, size_t caster, size_t ca
     const GLsizei size = GLsizei(_targets.size);
     for (size_t k = begin; k < end; ++k) {
         glViewport(GLint(k - begin) * size, 0, size, size);
+        scissor(_maps[k], int(k - begin) * size, 0);
         setUniform(state, "atlasMapIndex", int(_maps[k].index), 0);
         setUniform(state, "mapTexel", _maps[k].texel);
         state.applyProjectionMatrix(_maps[k].projection.get());
         for (size_t i = caster; i < casterEnd; ++i) {
-            if (!mapShows(*_maps[k].projection, _casters[i].bound)) continue;
+            if (!mapShows(_maps[k].ofRegion, _casters[i].bound)) continue;
             state.applyModelViewMatrix(_casters[i].modelView.get());
             if (state.getUseModelViewAndProjectionUniforms()) state.applyModelViewAndProjectionUniformsIfRequired();
             _casters[i].geometry->draw(renderInfo);
         }
     }
+}
+
+// @param x, y  of the map's lower left texel
+void AtlasRefresh::scissor(const Map& map, int x, int y) const
+{
+    const MapRegion& r = map.region;
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(x + r.left, y + r.bottom, r.right - r.left, r.top - r.bottom);
 }
 
 void AtlasRefresh::storeMidpoints(osg::RenderInfo& renderInfo, size_t begin, size_t end) const
@@ -134,6 +154,7 @@ void AtlasRefresh::storeMidpoints(osg::RenderInfo& renderInfo, size_t begin, siz
         const int x = int(_maps[k].index % _targets.columns) * size;
         const int y = int(_maps[k].index / _targets.columns) * size;
         glViewport(x, y, size, size);
+        scissor(_maps[k], x, y);
         setUniform(state, "batchFromAtlas", int(k - begin) * size - x, -y);
         setUniform(state, "mapTexel", _maps[k].texel);
         setUniform(state, "mapOctaves", _maps[k].octaves);

@@ -10,8 +10,8 @@
 namespace osgEnvLight
 {
 
-/** Draws maps of height: the casters twice, for the first and the second surface from each light, then what is made of both
- * into the maps. Owned by one frame of one view; written at cull. */
+/** Draws maps of height, or parts of them: the casters twice, for the first and the second surface from each light, then what is
+ * made of both into the maps. Owned by one frame of one view; written at cull. */
 class OSGENVLIGHT_EXPORT AtlasRefresh : public osg::Drawable
 {
   public:
@@ -40,11 +40,14 @@ class OSGENVLIGHT_EXPORT AtlasRefresh : public osg::Drawable
     struct Map {
         unsigned index;
         osg::ref_ptr<osg::RefMatrix> projection;
+        osg::Matrixd ofRegion;  // the projection that shows no more
         float texel, octaves;
+        MapRegion region;
     };
     void drawCasters(osg::RenderInfo& renderInfo, osg::FrameBufferObject& target, const osg::StateSet& stateSet, size_t begin,
                      size_t end) const;
     void drawRun(osg::RenderInfo& renderInfo, size_t caster, size_t casterEnd, size_t begin, size_t end) const;
+    void scissor(const Map& map, int x, int y) const;
     void storeMidpoints(osg::RenderInfo& renderInfo, size_t begin, size_t end) const;
 
     osg::ref_ptr<osg::Geometry> _triangle;

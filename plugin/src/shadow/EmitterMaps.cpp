@@ -113,6 +113,7 @@ std::vector<ShadowRefresh> EmitterMaps::update(const std::vector<EmitterPoint>& 
         const bool elsewhere = (list[i].position - map.position).length() > movedShare * _extent ||
                                (list[i].normal - map.along).length() > movedShare || list[i].tangent != map.widest;
         map.outdated = map.outdated || _moved || elsewhere;
+        if (_moved) map.changed.add(_casters.changed());
         map.age = map.outdated ? map.age + 1 : 0;
         const double p = priority(map, list[i]);
         if (p > 0.0) wanted.emplace_back(-p, i);
@@ -125,9 +126,14 @@ std::vector<ShadowRefresh> EmitterMaps::update(const std::vector<EmitterPoint>& 
         Map& map = _maps[wanted[k].second];
         place(map, list[wanted[k].second]);
         fit(map);
+        const osg::Matrixd former = map.projection;
+        map.projection = projection(map);
+        const bool stands = map.drawn && map.projection == former;
+        const MapRegion region = stands ? regionOf(map.changed, former, _targets.origin, size) : MapRegion();
+        map.changed = ChangedPart();
         map.drawn = true;
         map.outdated = false;
-        refreshes.push_back({wanted[k].second, projection(map), float(2.0 * map.tangent / size), float(map.octaves)});
+        refreshes.push_back({wanted[k].second, map.projection, float(2.0 * map.tangent / size), float(map.octaves), region});
     }
     if (changed || !refreshes.empty()) ++_version;
     return refreshes;

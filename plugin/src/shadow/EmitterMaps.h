@@ -67,7 +67,9 @@ class OSGENVLIGHT_EXPORT EmitterMaps : public osg::Referenced
         double nearest = 1.0, octaves = 1.0;
         bool drawn = false;
         bool outdated = false;
-        unsigned age = 0;  // frames since it became outdated
+        unsigned age = 0;     // frames since it became outdated
+        ChangedPart changed;  // since it was drawn
+        osg::Matrixd projection;
     };
     void place(Map& map, const EmitterPoint& point) const;
     void fit(Map& map) const;

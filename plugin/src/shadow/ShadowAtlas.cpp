@@ -67,15 +67,21 @@ ShadowAtlas::ShadowAtlas(unsigned lightCount, unsigned mapSize) : lights(lightCo
 }
 
 // The bound stays while it fits: a caster that wanders within it moves no map.
-void ShadowAtlas::fit(const osg::BoundingBoxd& bound)
+bool ShadowAtlas::fit(const osg::BoundingBoxd& bound)
 {
-    if (!bound.valid() || (contains(_box, bound) && diagonal(bound) > 0.5 * diagonal(_box))) return;
+    if (!bound.valid() || (contains(_box, bound) && diagonal(bound) > 0.5 * diagonal(_box))) return false;
     const double margin = 0.02 * diagonal(bound);
     const osg::Vec3d more(margin, margin, margin);
     _box = osg::BoundingBoxd(bound._min - more, bound._max + more);
-    if ((_box.center() - _targets.origin).length() < 16.0 * diagonal(_box) && _version > 0) return;
+    if ((_box.center() - _targets.origin).length() < 16.0 * diagonal(_box) && _version > 0) return true;
     _targets.origin = _box.center();  // floats about it keep their digits
     for (Map& map : _maps) map.drawn = false;
+    return true;
+}
+
+bool ShadowAtlas::shows(const Map& map, const ChangedPart& part) const
+{
+    return !map.drawn || !regionOf(part, map.projection, _targets.origin, size).isEmpty();
 }
 
 void ShadowAtlas::place(Map& map, unsigned index, const osg::Vec3d& direction) const
@@ -144,7 +150,7 @@ void ShadowAtlas::setCasters(const CasterList& casters)
     const double side = _focus.valid() ? 2.0 * _focus.radius() : diagonal(_box);
     const double texel = _box.valid() ? side / size : 0.0;
     _moved = _casters.take(casters, 0.02 * texel);
-    if (_moved) fit(casters.bound);
+    _fitted = _moved && fit(casters.bound);
     if (!_box.valid() || _focus.valid()) return;
     _still.setPlace(_targets.origin, 0.5 * diagonal(_box) / size);
     _still.update(casters, _moved, 0.02 * texel);
@@ -188,7 +194,11 @@ std::vector<ShadowRefresh> ShadowAtlas::update(const LightList& list, unsigned b
     for (unsigned i = 0; i < lights; ++i) {
         Map& map = _maps[i];
         const double step = (list[i].direction - map.along).length();
-        map.outdated = map.outdated || _moved || step > movedLight;
+        map.outdated = map.outdated || step > movedLight;
+        if (_moved && (_fitted || shows(map, _casters.changed()))) {
+            map.outdated = true;
+            map.changed.add(_casters.changed());
+        }
         map.age = map.outdated ? map.age + 1 : 0;
         const double p = priority(map, list[i].flux);
         if (p > 0.0) wanted.emplace_back(-p, i);
@@ -200,12 +210,17 @@ std::vector<ShadowRefresh> ShadowAtlas::update(const LightList& list, unsigned b
     for (size_t k = 0; k < count; ++k) {
         Map& map = _maps[wanted[k].second];
         place(map, wanted[k].second, list[wanted[k].second].direction);
+        const osg::Matrixd former = map.projection;
+        map.projection = projection(map);
+        const bool stands = map.drawn && map.projection == former;
+        const MapRegion region = stands ? regionOf(map.changed, former, _targets.origin, size) : MapRegion();
+        map.changed = ChangedPart();
         map.drawn = true;
         map.outdated = false;
         map.former = false;
         map.flux = list[wanted[k].second].flux;
         map.solidAngle = _solidAngles[wanted[k].second];
-        refreshes.push_back({wanted[k].second, projection(map)});
+        refreshes.push_back({wanted[k].second, map.projection, 0.0f, 0.0f, region});
     }
     if (changed || !refreshes.empty()) ++_version;
     return refreshes;

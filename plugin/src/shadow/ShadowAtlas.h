@@ -103,12 +103,15 @@ class OSGENVLIGHT_EXPORT ShadowAtlas : public osg::Referenced
         bool outdated = false;
         bool former = false;  // what is drawn is of a light that is elsewhere now
         unsigned age = 0;     // frames since it became outdated
-        osg::Vec3d flux;      // of the light it shows
+        ChangedPart changed;  // since it was drawn
+        osg::Matrixd projection;
+        osg::Vec3d flux;  // of the light it shows
         double solidAngle = 0.0;
     };
     void setLights(const LightList& list);
     std::vector<unsigned> servingLights() const;
-    void fit(const osg::BoundingBoxd& bound);
+    bool fit(const osg::BoundingBoxd& bound);
+    bool shows(const Map& map, const ChangedPart& part) const;
     void place(Map& map, unsigned index, const osg::Vec3d& direction) const;
     void writePlace(osg::Image& image, unsigned index, unsigned firstRow, const osg::Vec3d& origin) const;
     bool showsAs(const ShadowAtlas& other, unsigned index) const;
@@ -122,6 +125,7 @@ class OSGENVLIGHT_EXPORT ShadowAtlas : public osg::Referenced
     ShownCasters _casters;
     StaticCasters _still;
     bool _moved = false;
+    bool _fitted = false;  // the maps are to show another part of the world
     unsigned _turn = 0;
     osg::BoundingBoxd _box;
     osg::BoundingSphered _focus;  // invalid: all of it

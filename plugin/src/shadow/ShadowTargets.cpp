@@ -3,6 +3,9 @@
 
 #include "gl/TargetTexture.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace osgEnvLight
 {
 
@@ -31,6 +34,42 @@ void ShadowTargets::releaseGLObjects(osg::State* state) const
 {
     for (osg::Texture2D* t : textures()) t->releaseGLObjects(state);
     for (osg::FrameBufferObject* f : frameBuffers()) f->releaseGLObjects(state);
+}
+
+MapRegion MapRegion::within(unsigned size) const
+{
+    const int side = int(size);
+    return {std::clamp(left, 0, side), std::clamp(bottom, 0, side), std::clamp(right, 0, side), std::clamp(top, 0, side)};
+}
+
+osg::Matrixd MapRegion::projection(const osg::Matrixd& whole, unsigned size) const
+{
+    const MapRegion r = within(size);
+    const double wide = double(r.right - r.left) / size, high = double(r.top - r.bottom) / size;
+    const double x = double(r.left + r.right) / size - 1.0, y = double(r.bottom + r.top) / size - 1.0;
+    osg::Matrixd zoom;
+    zoom(0, 0) = 1.0 / wide;
+    zoom(1, 1) = 1.0 / high;
+    zoom(3, 0) = -x / wide;
+    zoom(3, 1) = -y / high;
+    return whole * zoom;
+}
+
+MapRegion regionOf(const ChangedPart& changed, const osg::Matrixd& projection, const osg::Vec3d& origin, unsigned size)
+{
+    if (changed.isWhole()) return {};
+    const double margin = 2.0;  // texels: of edges that graze a texel, and of what bounds are rounded to
+    osg::BoundingBoxd shown;
+    for (unsigned i = 0; i < 8 && changed.box().valid(); ++i) {
+        const osg::Vec4d p = osg::Vec4d(changed.box().corner(i) - origin, 1.0) * projection;
+        if (!(p[3] > 0.0)) return {};  // a part lies behind the light
+        const osg::Vec2d texel = (osg::Vec2d(p[0], p[1]) / p[3] + osg::Vec2d(1.0, 1.0)) * 0.5 * size;
+        shown.expandBy(osg::Vec3d(texel, 0.0));
+    }
+    if (!shown.valid()) return {0, 0, 0, 0};
+    const auto texel = [&](double x) { return int(std::clamp(x, 0.0, double(size))); };
+    return {texel(std::floor(shown.xMin() - margin)), texel(std::floor(shown.yMin() - margin)),
+            texel(std::ceil(shown.xMax() + margin)), texel(std::ceil(shown.yMax() + margin))};
 }
 
 }  // namespace osgEnvLight

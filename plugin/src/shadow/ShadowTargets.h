@@ -2,6 +2,7 @@
 #pragma once
 
 #include <osgEnvLight/Export>
+#include "surface/Caster.h"
 
 #include <osg/FrameBufferObject>
 #include <osg/Matrixd>
@@ -39,12 +40,29 @@ struct OSGENVLIGHT_EXPORT ShadowTargets {
     void releaseGLObjects(osg::State* state) const;
 };
 
+/** Texels of a map, from the lower left corner; the upper ones are outside. The default is all of them. */
+struct OSGENVLIGHT_EXPORT MapRegion {
+    int left = 0, bottom = 0, right = 1 << 30, top = 1 << 30;
+
+    bool isEmpty() const { return left >= right || bottom >= top; }
+    /** Within a map of that size. */
+    MapRegion within(unsigned size) const;
+    /** The projection that shows the region alone, of one that shows the map. */
+    osg::Matrixd projection(const osg::Matrixd& whole, unsigned size) const;
+};
+
+/** Where a map shows what has changed.
+ * @param origin  what the projection is relative to, in the world */
+OSGENVLIGHT_EXPORT MapRegion regionOf(const ChangedPart& changed, const osg::Matrixd& projection, const osg::Vec3d& origin,
+                                      unsigned size);
+
 /** One map to be drawn in this frame. */
 struct ShadowRefresh {
     unsigned map;
     osg::Matrixd projection;  // clip space from the world about the origin
     float texel = 0.0f;    // its side, in the map's heights; 0: the map is as high as it is wide; in perspective, at distance 1
     float octaves = 0.0f;  // in perspective, of its distances [lib/emittermap.glsl]
+    MapRegion region = {};
 };
 
 }  // namespace osgEnvLight

@@ -180,7 +180,7 @@ osg::BoundingBoxd SunShadows::nearPart(const Sun& sun, const ShadowView& view, c
     return part;
 }
 
-ShadowRefresh SunShadows::refresh(unsigned index, unsigned level) const
+ShadowRefresh SunShadows::refresh(unsigned index, unsigned level, const ChangedPart& changed) const
 {
     const Sun& sun = _suns[index];
     const Rectangle& r = sun.rectangles[level];
@@ -193,7 +193,8 @@ ShadowRefresh SunShadows::refresh(unsigned index, unsigned level) const
         for (int row = 0; row < 3; ++row) m(row, column) = sun.axes[size_t(column)].ptr()[row] * scale[column];
         m(3, column) = -center[column] * scale[column];
     }
-    return {index * levels + level, m, float(r.texel(size) / (sun.high - sun.low))};
+    const float texel = float(r.texel(size) / (sun.high - sun.low));
+    return {index * levels + level, m, texel, 0.0f, regionOf(changed, m, _targets.origin, size)};
 }
 
 std::vector<ShadowRefresh> SunShadows::update(const CasterList& casters, const DominantLights& list, const ShadowView& view,
@@ -218,7 +219,10 @@ std::vector<ShadowRefresh> SunShadows::update(const CasterList& casters, const D
         for (unsigned k = 0; k < levels; ++k) {
             const bool same = sun.rectangles[k] == former[k];
             changed = changed || !same;
-            if (sun.rectangles[k].exists() && (moved || lost || sun.lost || !same)) refreshes.push_back(refresh(i, k));
+            const bool anew = lost || sun.lost || !same;
+            if (!sun.rectangles[k].exists() || !(moved || anew)) continue;
+            const ShadowRefresh part = refresh(i, k, anew ? ChangedPart::everything() : _casters.changed());
+            if (!part.region.isEmpty()) refreshes.push_back(part);
         }
         sun.lost = false;
     }

@@ -90,7 +90,7 @@ class OSGENVLIGHT_EXPORT SunShadows : public osg::Referenced
     void fitLevels(const Sun& sun, const ShadowView& view, const VisibleBoxes& boxes, Rectangles& rectangles) const;
     osg::BoundingBoxd nearPart(const Sun& sun, const ShadowView& view, const VisibleBoxes& boxes, const Rectangle& former) const;
     Rectangle snapped(const osg::BoundingBoxd& needed, const osg::Vec2d& sides) const;
-    ShadowRefresh refresh(unsigned index, unsigned level) const;
+    ShadowRefresh refresh(unsigned index, unsigned level, const ChangedPart& changed) const;
 
     std::vector<Sun> _suns;
     ShownCasters _casters;

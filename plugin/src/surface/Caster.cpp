@@ -19,13 +19,39 @@ void CasterList::clear()
     ++version;
 }
 
+namespace
+{
+
+void addTo(ChangedPart& part, const Caster& caster)
+{
+    const osg::BoundingBoxd bound = boundOf(caster);
+    if (caster.moves || !bound.valid())
+        part.addAll();
+    else
+        part.add(bound);
+}
+
+}  // namespace
+
 bool ShownCasters::take(const CasterList& list, double slack)
 {
     const bool isTaken = list.version > 0 && list.version == _version;
     if (isTaken || sameShadows(list.all, _casters, slack)) return false;
+    _changed = ChangedPart();
+    for (size_t i = list.all.size(); i < _casters.size(); ++i) addTo(_changed, _casters[i]);
+    const size_t kept = std::min(_casters.size(), list.all.size());
     _casters.resize(list.all.size());
-    for (size_t i = 0; i < _casters.size(); ++i)
-        if (!(_casters[i] == list.all[i])) _casters[i] = list.all[i];
+    for (size_t i = 0; i < _casters.size(); ++i) {
+        Caster& former = _casters[i];
+        const Caster& now = list.all[i];
+        if (former == now) continue;
+        if (i < kept && !sameShadow(former, now, 0.0)) addTo(_changed, former);
+        if (i >= kept || !sameShadow(former, now, 0.0)) addTo(_changed, now);
+        // Applications change vertices and may not say that their bound is another.
+        const bool isDeformed = i < kept && former.geometry == now.geometry && former.shape != now.shape;
+        if (isDeformed && !(former.isMeasured && now.isMeasured)) _changed.addAll();
+        former = now;
+    }
     _version = list.version;
     return true;
 }
@@ -48,16 +74,41 @@ bool sameShadows(const std::vector<Caster>& a, const std::vector<Caster>& b, dou
                       [&](const Caster& x, const Caster& y) { return sameShadow(x, y, slack); });
 }
 
-osg::BoundingBoxd boundOf(const Caster& caster)
+namespace
 {
-    if (caster.bound.valid()) return caster.bound;
+
+template <class Vertices>
+bool addVertices(osg::BoundingBox& box, const osg::Array& array)
+{
+    const auto* vertices = dynamic_cast<const Vertices*>(&array);
+    if (!vertices) return false;
+    for (const auto& v : *vertices) box.expandBy(osg::Vec3(float(v.x()), float(v.y()), float(v.z())));
+    return true;
+}
+
+osg::BoundingBoxd inWorld(const osg::BoundingBox& box, const osg::Matrixd& worldFromModel)
+{
     osg::BoundingBoxd bound;
-    const osg::BoundingBox& box = caster.geometry->getBoundingBox();
     for (unsigned k = 0; box.valid() && k < 8; ++k) {
-        const osg::Vec3d p = osg::Vec3d(box.corner(k)) * caster.worldFromModel;
+        const osg::Vec3d p = osg::Vec3d(box.corner(k)) * worldFromModel;
         if (std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z())) bound.expandBy(p);
     }
     return bound;
+}
+
+}  // namespace
+
+void measureBound(Caster& caster)
+{
+    const osg::Array* array = caster.geometry->getVertexArray();
+    osg::BoundingBox box;
+    caster.isMeasured = array && (addVertices<osg::Vec3Array>(box, *array) || addVertices<osg::Vec3dArray>(box, *array));
+    if (caster.isMeasured) caster.bound = inWorld(box, caster.worldFromModel);
+}
+
+osg::BoundingBoxd boundOf(const Caster& caster)
+{
+    return caster.bound.valid() ? caster.bound : inWorld(caster.geometry->getBoundingBox(), caster.worldFromModel);
 }
 
 osg::BoundingBoxd boundOf(const std::vector<Caster>& casters)

@@ -27,6 +27,7 @@ struct Caster {
     bool moves = false;                 // a program of the application's moves its vertices [SurfaceProgram]
     osg::BoundingBox box = {};          // of the geometry
     osg::BoundingBoxd bound = {};       // of it in the world; not valid: not known
+    bool isMeasured = false;            // the bound is that of its vertices, whatever box the geometry says
 
     bool operator==(const Caster& o) const { return geometry == o.geometry && worldFromModel == o.worldFromModel && isLike(o); }
     /** In all but the geometry and its place. */
@@ -56,6 +57,33 @@ OSGENVLIGHT_EXPORT bool sameShadow(const Caster& a, const Caster& b, double slac
 /** True if both lists throw the same shadows: the same shapes at the same places, to within slack [world units]. */
 OSGENVLIGHT_EXPORT bool sameShadows(const std::vector<Caster>& a, const std::vector<Caster>& b, double slack);
 
+/** Where casters have changed. */
+class ChangedPart
+{
+  public:
+    static ChangedPart everything()
+    {
+        ChangedPart part;
+        part.addAll();
+        return part;
+    }
+    void add(const osg::BoundingBoxd& box) { _box.expandBy(box); }
+    void addAll() { _isWhole = true; }
+    void add(const ChangedPart& other)
+    {
+        _box.expandBy(other._box);
+        _isWhole = _isWhole || other._isWhole;
+    }
+    /** It is not known where: anywhere. */
+    bool isWhole() const { return _isWhole; }
+    /** In the world, where it is known. */
+    const osg::BoundingBoxd& box() const { return _box; }
+
+  private:
+    osg::BoundingBoxd _box;
+    bool _isWhole = false;
+};
+
 /** The casters that maps show. */
 class OSGENVLIGHT_EXPORT ShownCasters
 {
@@ -65,11 +93,17 @@ class OSGENVLIGHT_EXPORT ShownCasters
      * @return whether it does */
     bool take(const CasterList& list, double slack);
     const std::vector<Caster>& all() const { return _casters; }
+    /** Where the last list that was taken throws other shadows than the one before. */
+    const ChangedPart& changed() const { return _changed; }
 
   private:
     std::vector<Caster> _casters;
+    ChangedPart _changed;
     unsigned _version = 0;  // of the list that was taken
 };
+
+/** Measure its bound by its vertices. Not measured if they are of a kind that is not known. */
+OSGENVLIGHT_EXPORT void measureBound(Caster& caster);
 
 /** A caster's bound in the world; corners that are not finite don't count. */
 OSGENVLIGHT_EXPORT osg::BoundingBoxd boundOf(const Caster& caster);

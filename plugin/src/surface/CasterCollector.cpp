@@ -238,7 +238,9 @@ void CasterCollector::add(const osg::Geometry& geometry, const osg::Matrixd& wor
     if (former.geometry == &geometry && former.worldFromModel == worldFromModel && former.isLike(caster)) return;
     caster.geometry = &geometry;
     caster.worldFromModel = worldFromModel;
-    caster.bound = boundOf(caster);
+    const bool isKnown = former.geometry == &geometry && !caster.moves;
+    if (isKnown && (former.isMeasured || former.shape != caster.shape)) measureBound(caster);
+    if (!caster.isMeasured) caster.bound = boundOf(caster);
     former = std::move(caster);
     _isChanged = true;
 }

@@ -4,11 +4,50 @@
 #include "surface/CoarseMesh.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <functional>
 #include <unordered_map>
+#include <utility>
 
 namespace osgEnvLight
 {
+
+namespace
+{
+
+using Triangle = std::array<unsigned, 3>;
+
+// The bits of a number below 1024, two apart.
+uint32_t spread(uint32_t x)
+{
+    x = (x | x << 16) & 0x30000ffu;
+    x = (x | x << 8) & 0x300f00fu;
+    x = (x | x << 4) & 0x30c30c3u;
+    return (x | x << 2) & 0x9249249u;
+}
+
+// Along a curve that visits neighbouring places one after another [Morton 1966].
+void sortByPlace(std::vector<Triangle>& triangles, const osg::Vec3Array& vertices)
+{
+    osg::BoundingBox box;
+    for (const osg::Vec3& v : vertices) box.expandBy(v);
+    const osg::Vec3 sides = box._max - box._min;
+    const auto cell = [&](const osg::Vec3& p) {
+        uint32_t place = 0;
+        for (int i = 0; i < 3; ++i)
+            place |= spread(uint32_t(std::clamp(1024.0f * (p[i] - box._min[i]) / std::max(sides[i], 1e-30f), 0.0f, 1023.0f)))
+                     << i;
+        return place;
+    };
+    std::vector<std::pair<uint32_t, Triangle>> places;
+    places.reserve(triangles.size());
+    for (const Triangle& t : triangles) places.emplace_back(cell((vertices[t[0]] + vertices[t[1]] + vertices[t[2]]) / 3.0f), t);
+    std::sort(places.begin(), places.end());
+    for (size_t i = 0; i < triangles.size(); ++i) triangles[i] = places[i].second;
+}
+
+}  // namespace
 
 // Where casters stand in the order that they had.
 class StaticCasters::FormerPlaces
@@ -49,13 +88,13 @@ void StaticCasters::setPlace(const osg::Vec3d& origin, double cell)
     _cell = cell;
     _still.clear();
     _perforated = 0;
-    _geometry = nullptr;
+    _isBuilt = false;
 }
 
 void StaticCasters::update(const CasterList& casters, bool moved, double slack)
 {
     _frames = moved ? 0 : _frames + 1;
-    const bool merges = !_geometry || (!noneMoves() && _frames == patience);
+    const bool merges = !_isBuilt || (!noneMoves() && _frames == patience);
     if (merges || moved) sort(casters.all, merges, slack);
     if (casters.version == 0 || casters.version != _seen) takeSentLight(casters.all);
     _seen = casters.version;
@@ -117,48 +156,66 @@ void StaticCasters::sort(const std::vector<Caster>& casters, bool merges, double
     if (merges || _still.size() != former.size()) build();
 }
 
+// All draw from one array of vertices.
 void StaticCasters::build()
 {
     ++_generation;
+    _isBuilt = true;
+    _merged.clear();
     osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
-    osg::ref_ptr<osg::DrawElementsUInt> indices = new osg::DrawElementsUInt(GL_TRIANGLES);
+    std::vector<Triangle> triangles;
     for (const Still& still : _still) {
         if (still.caster.state) continue;
         const auto base = unsigned(vertices->size());
         vertices->insert(vertices->end(), still.mesh->positions.begin(), still.mesh->positions.end());
-        for (const auto& triangle : still.mesh->triangles)
-            for (unsigned v : triangle) indices->push_back(base + v);
+        for (const auto& t : still.mesh->triangles) triangles.push_back({base + t[0], base + t[1], base + t[2]});
     }
-    _geometry = new osg::Geometry;
-    _geometry->setVertexArray(vertices);
-    _geometry->addPrimitiveSet(indices);
-    _geometry->setUseDisplayList(false);
-    _geometry->setUseVertexBufferObjects(true);
+    const size_t parts = (triangles.size() + mostTriangles - 1) / mostTriangles;
+    if (parts > 1) sortByPlace(triangles, *vertices);
+    for (size_t i = 0; i < parts; ++i) {
+        const auto begin = triangles.begin() + std::ptrdiff_t(triangles.size() * i / parts);
+        const auto end = triangles.begin() + std::ptrdiff_t(triangles.size() * (i + 1) / parts);
+        osg::ref_ptr<osg::DrawElementsUInt> indices = new osg::DrawElementsUInt(GL_TRIANGLES);
+        osg::BoundingBox box;
+        for (auto t = begin; t != end; ++t)
+            for (unsigned v : *t) {
+                indices->push_back(v);
+                box.expandBy((*vertices)[v]);
+            }
+        osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+        geometry->setVertexArray(vertices);
+        geometry->addPrimitiveSet(indices);
+        geometry->setUseDisplayList(false);
+        geometry->setUseVertexBufferObjects(true);
+        geometry->setInitialBound(box);  // of these vertices, not of all
+        geometry->setComputeBoundingBoxCallback(new osg::Drawable::ComputeBoundingBoxCallback);
+        _merged.push_back(geometry);
+    }
 }
 
 std::vector<Caster> StaticCasters::drawn() const
 {
     std::vector<Caster> result;
-    if (_geometry && _geometry->getPrimitiveSet(0)->getNumIndices() > 0)
-        result.push_back({_geometry, osg::Matrixd::translate(_origin), nullptr, 0});
+    for (const auto& geometry : _merged) result.push_back({geometry, osg::Matrixd::translate(_origin), nullptr, 0});
     result.insert(result.end(), _loose.begin(), _loose.end());
     return result;
 }
 
 size_t StaticCasters::bytes() const
 {
-    if (!_geometry) return 0;
-    return _geometry->getVertexArray()->getTotalDataSize() + 4 * _geometry->getPrimitiveSet(0)->getNumIndices();
+    size_t sum = _merged.empty() ? 0 : _merged[0]->getVertexArray()->getTotalDataSize();
+    for (const auto& geometry : _merged) sum += 4 * geometry->getPrimitiveSet(0)->getNumIndices();
+    return sum;
 }
 
 void StaticCasters::resizeGLObjectBuffers(unsigned maximum) const
 {
-    if (_geometry) _geometry->resizeGLObjectBuffers(maximum);
+    for (const auto& geometry : _merged) geometry->resizeGLObjectBuffers(maximum);
 }
 
 void StaticCasters::releaseGLObjects(osg::State* state) const
 {
-    if (_geometry) _geometry->releaseGLObjects(state);
+    for (const auto& geometry : _merged) geometry->releaseGLObjects(state);
 }
 
 }  // namespace osgEnvLight

@@ -8,8 +8,9 @@
 namespace osgEnvLight
 {
 
-/** The solid casters that stand still as one coarse geometry, so that a map of the atlas is one draw, however many drawables
- * there are; what moves is drawn beside it as it is, and joins it when all have stood still for a while. */
+/** The solid casters that stand still as a few coarse geometries, so that a map of the atlas is a few draws, however many
+ * drawables there are; what moves is drawn beside them as it is, and joins them when all have stood still for a while. Each is of
+ * one part of the world, so that where little changes, little is drawn. */
 class OSGENVLIGHT_EXPORT StaticCasters
 {
   public:
@@ -33,10 +34,10 @@ class OSGENVLIGHT_EXPORT StaticCasters
     unsigned sentVersion() const { return _sentVersion; }
 
     /** No caster moves or has holes: parts() leave out nothing that casts shadows. */
-    bool areAll() const { return _geometry && _loose.empty(); }
+    bool areAll() const { return _isBuilt && _loose.empty(); }
 
     /** No caster moves: parts() leave out none. */
-    bool noneMoves() const { return _geometry && _loose.size() == _perforated; }
+    bool noneMoves() const { return _isBuilt && _loose.size() == _perforated; }
 
     /** What stands for all of them. */
     std::vector<Caster> drawn() const;
@@ -46,6 +47,9 @@ class OSGENVLIGHT_EXPORT StaticCasters
 
     void resizeGLObjectBuffers(unsigned maximum) const;
     void releaseGLObjects(osg::State* state) const;
+
+    /** Triangles of a geometry, at most: of so many that a draw costs little more than without them. */
+    static constexpr size_t mostTriangles = 8192;
 
     /** Frames without motion until what has moved is merged: a motion that pauses costs nothing. */
     static constexpr unsigned patience = 8;
@@ -62,12 +66,13 @@ class OSGENVLIGHT_EXPORT StaticCasters
 
     osg::Vec3d _origin;
     double _cell = 0.0;
-    std::vector<Still> _still;              // in the casters' order
-    std::vector<Caster> _loose;             // what is drawn as it is: all others, and of those the perforated ones
-    size_t _perforated = 0;                 // how many of them stand still
-    osg::ref_ptr<osg::Geometry> _geometry;  // of the solid ones of _still; null before the first update
-    unsigned _frames = 0;                   // since the last motion
-    unsigned _seen = 0;                     // version of the casters whose light was taken
+    std::vector<Still> _still;                         // in the casters' order
+    std::vector<Caster> _loose;                        // what is drawn as it is: all others, and of those the perforated ones
+    size_t _perforated = 0;                            // how many of them stand still
+    std::vector<osg::ref_ptr<osg::Geometry>> _merged;  // the solid ones of _still
+    bool _isBuilt = false;
+    unsigned _frames = 0;  // since the last motion
+    unsigned _seen = 0;    // version of the casters whose light was taken
     unsigned _generation = 0;
     unsigned _sentVersion = 1;
 };
