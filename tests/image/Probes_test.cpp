@@ -1,95 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Light that goes on between surfaces by points and probes (bounce=probes), against closed forms. How near it comes to full light
 // transport is the image suite's to say.
-#include <SceneRenderer.h>
-
-#include <osgEnvLight/Material>
+#include "ProbeScenes.h"
 
 #include <osg/LightSource>
-#include <osg/MatrixTransform>
-
-#include <gtest/gtest.h>
-
-#include <chrono>
-#include <cmath>
-#include <thread>
 
 #include "ClosedRoom.h"
 
 namespace Probes_test
 {
 
-using osgEnvLight::LitScene;
-using osgEnvLight::Material;
-using osgEnvLight::Settings;
+using namespace probescenes;
 
 namespace
 {
-
-osg::ref_ptr<LitScene> makeProbed(double radiance = 1.0)
-{
-    osg::ref_ptr<LitScene> lit = makeLit(constantMap(radiance).get());
-    Settings& s = *lit->getSettings();
-    s.regeneration = Settings::IMMEDIATE;
-    s.background = Settings::BACKGROUND_OFF;
-    s.bounce = Settings::BOUNCE_PROBES;
-    return lit;
-}
-
-void setAlbedo(osg::Node& node, float albedo)
-{
-    Material::setLambert(*node.getOrCreateStateSet(), osg::Vec3f(albedo, albedo, albedo));
-}
-
-struct Figures {
-    double mean = 0.0;
-    double deviation = 0.0;
-};
-
-Figures figuresOf(const Picture& p, int channel = 1)
-{
-    double sum = 0.0, squares = 0.0;
-    int count = 0;
-    for (int y = 0; y < p.height; ++y)
-        for (int x = 0; x < p.width; ++x) {
-            if (!(p.alpha(x, y) > 0.5f)) continue;
-            const double v = double(p.color(x, y)[channel]);
-            sum += v;
-            squares += v * v;
-            ++count;
-        }
-    EXPECT_GT(count, p.width * p.height / 8);
-    const double mean = sum / std::max(count, 1);
-    return {mean, std::sqrt(std::max(squares / std::max(count, 1) - mean * mean, 0.0))};
-}
-
-// The inside of a sphere, open above down to the polar angle.
-osg::ref_ptr<osg::Geode> makeBowl(int rings, double opening = M_PI_2)
-{
-    osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array, normals = new osg::Vec3Array;
-    osg::ref_ptr<osg::DrawElementsUInt> indices = new osg::DrawElementsUInt(GL_TRIANGLES);
-    const int sides = 4 * rings;
-    for (int i = 0; i <= rings; ++i)
-        for (int j = 0; j <= sides; ++j) {
-            const double polar = opening + (M_PI - opening) * i / rings, azimuth = 2.0 * M_PI * j / sides;
-            const osg::Vec3 p(float(std::sin(polar) * std::cos(azimuth)), float(std::sin(polar) * std::sin(azimuth)),
-                              float(std::cos(polar)));
-            vertices->push_back(p);
-            normals->push_back(-p);
-        }
-    for (int i = 0; i < rings; ++i)
-        for (int j = 0; j < sides; ++j) {
-            const auto a = unsigned(i * (sides + 1) + j), b = a + unsigned(sides) + 1;
-            for (unsigned v : {a, a + 1, b, b, a + 1, b + 1}) indices->push_back(v);
-        }
-    osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
-    geometry->setVertexArray(vertices);
-    geometry->setNormalArray(normals, osg::Array::BIND_PER_VERTEX);
-    geometry->addPrimitiveSet(indices);
-    osg::ref_ptr<osg::Geode> geode = new osg::Geode;
-    geode->addDrawable(geometry);
-    return geode;
-}
 
 // Two cubes of half-side 2 with walls between them and about them; the left one has no ceiling, and the door is optional.
 osg::ref_ptr<LitScene> makeTwoRooms(bool door)
@@ -246,130 +170,6 @@ TEST(Probes, BlackSurfacesSendNothingToTheBit)
     const Picture with = renderer.render(lit);
     lit->getSettings()->bounce = Settings::BOUNCE_OFF;
     EXPECT_EQ(0.0, largestDifference(with, renderer.render(lit)));
-}
-
-// Other counts of lights are another atlas, whose casters are counted from the beginning.
-TEST(Probes, FollowAnAtlasThatIsReplaced)
-{
-    SceneRenderer renderer(64, 64);
-    renderer.lookAt(osg::Vec3d(0, -9, 4), osg::Vec3d(0, -0.5, 0.8));
-    osg::ref_ptr<LitScene> lit = makeProbed();
-    lit->addChild(makeQuad(osg::Vec3d(-3, -4, 0), osg::Vec3d(6, 0, 0), osg::Vec3d(0, 4, 0)));
-    setAlbedo(*lit, 0.8f);
-    renderer.render(lit);
-    lit->getSettings()->atlasLights = 128;
-    lit->addChild(makeBox(osg::Vec3d(-1, -1, 0.01), osg::Vec3d(1, 0.2, 2)));
-    const Picture replaced = renderer.render(lit);
-    osg::ref_ptr<LitScene> fresh = makeProbed();
-    fresh->getSettings()->atlasLights = 128;
-    for (unsigned i = 0; i < 2; ++i) fresh->addChild(lit->getChild(i));
-    setAlbedo(*fresh, 0.8f);
-    EXPECT_LT(largestDifference(renderer.render(fresh), replaced), 0.005);
-}
-
-// A wall colours the floor, and another colour of it does at once.
-TEST(Probes, FollowAColourThatChanges)
-{
-    SceneRenderer renderer(64, 64);
-    renderer.lookAt(osg::Vec3d(0, -9, 4), osg::Vec3d(0, -0.5, 0.3));
-    osg::ref_ptr<LitScene> lit = makeProbed();
-    lit->getSettings()->view = Settings::BOUNCED;
-    lit->addChild(makeQuad(osg::Vec3d(-2, -4, 0), osg::Vec3d(4, 0, 0), osg::Vec3d(0, 4, 0)));
-    lit->addChild(makeBox(osg::Vec3d(-2, 0, -0.1), osg::Vec3d(2, 0.2, 4)));
-    setAlbedo(*lit->getChild(0), 0.8f);
-    osg::StateSet& wall = *lit->getChild(1)->getOrCreateStateSet();
-    Material::setLambert(wall, osg::Vec3f(0.8f, 0, 0));
-    const Picture red = renderer.render(lit);
-    Material::setLambert(wall, osg::Vec3f(0, 0.8f, 0));
-    const Picture green = renderer.render(lit);
-    const double sent = figuresOf(red, 0).mean;
-    EXPECT_GT(sent, 0.01);
-    // The wall receives the floor's light, which is white; measured: .23.
-    EXPECT_LT(figuresOf(red, 1).mean, 0.25 * sent);
-    EXPECT_NEAR(sent, figuresOf(green, 1).mean, 0.1 * sent);
-    EXPECT_LT(figuresOf(green, 0).mean, 0.25 * sent);
-}
-
-// A floor is polished, and made matt again.
-TEST(Probes, FollowAPolishThatChanges)
-{
-    SceneRenderer renderer(64, 64);
-    renderer.lookAt(osg::Vec3d(0, -9, 4), osg::Vec3d(0, -0.5, 0.8));
-    const osg::ref_ptr<LitScene> lit = makeProbed();
-    lit->getSettings()->regeneration = Settings::BACKGROUND;
-    lit->getSettings()->view = Settings::BOUNCED;
-    lit->addChild(makeQuad(osg::Vec3d(-3, -4, 0), osg::Vec3d(6, 0, 0), osg::Vec3d(0, 4, 0)));
-    lit->addChild(makeBox(osg::Vec3d(-2, 0, -0.1), osg::Vec3d(2, 0.2, 3)));
-    setAlbedo(*lit->getChild(1), 0.8f);
-    osg::StateSet& floor = *lit->getChild(0)->getOrCreateStateSet();
-    const auto settled = [&] {
-        for (int i = 0; i < 500 && (renderer.render(lit, 4), lit->regenerating()); ++i)
-            std::this_thread::sleep_for(std::chrono::milliseconds(2));
-        return renderer.render(lit);
-    };
-    setAlbedo(*lit->getChild(0), 0.8f);
-    const Picture matt = settled();
-    const size_t mattBytes = lit->textureBytes();
-    Material::setPhong(floor, osg::Vec3f(), osg::Vec3f(0.8f, 0.8f, 0.8f), 1000);
-    const Picture polished = settled();
-    const size_t polishedBytes = lit->textureBytes();
-    EXPECT_GT(polishedBytes, mattBytes);
-    EXPECT_GT(largestDifference(matt, polished), 0.02);
-    const osg::ref_ptr<LitScene> fresh = makeProbed();
-    fresh->getSettings()->view = Settings::BOUNCED;
-    for (unsigned i = 0; i < 2; ++i) fresh->addChild(lit->getChild(i));
-    EXPECT_LT(largestDifference(renderer.render(fresh), polished), 0.005);
-    setAlbedo(*lit->getChild(0), 0.8f);
-    EXPECT_LT(largestDifference(matt, settled()), 0.005);
-    EXPECT_LT(lit->textureBytes(), polishedBytes);
-}
-
-// The map is turned, a body moved: after some frames the picture is that of a scene that never was another.
-TEST(Probes, ForgetWhatWas)
-{
-    SceneRenderer renderer(64, 64);
-    renderer.lookAt(osg::Vec3d(0, -9, 4), osg::Vec3d(0, -0.5, 0.8));
-    const auto make = [](double x) {
-        osg::ref_ptr<LitScene> lit = makeProbed();
-        lit->addChild(makeQuad(osg::Vec3d(-3, -4, 0), osg::Vec3d(6, 0, 0), osg::Vec3d(0, 4, 0)));
-        const osg::ref_ptr<osg::MatrixTransform> moved = new osg::MatrixTransform(osg::Matrix::translate(x, 0, 0));
-        moved->addChild(makeBox(osg::Vec3d(-1, -1, 0.01), osg::Vec3d(1, 0.2, 2)));
-        lit->addChild(moved);
-        setAlbedo(*lit, 0.8f);
-        return lit;
-    };
-    const Picture expected = renderer.render(make(1.0));
-    osg::ref_ptr<LitScene> lit = make(-1.0);
-    renderer.render(lit);
-    static_cast<osg::MatrixTransform*>(lit->getChild(1))->setMatrix(osg::Matrix::translate(1, 0, 0));
-    const Picture after = renderer.render(lit, 40);
-    EXPECT_LT(largestDifference(expected, after), 0.02);
-}
-
-// Without waiting for them the picture begins with the mean, and ends with what it would have been at once.
-TEST(Probes, ComeWhenTheyAreMade)
-{
-    SceneRenderer renderer(64, 64);
-    renderer.lookAt(osg::Vec3d(0, -9, 4), osg::Vec3d(0, -0.5, 0.8));
-    const auto make = [](int regeneration) {
-        osg::ref_ptr<LitScene> lit = makeProbed();
-        lit->getSettings()->regeneration = regeneration;
-        lit->addChild(makeQuad(osg::Vec3d(-3, -4, 0), osg::Vec3d(6, 0, 0), osg::Vec3d(0, 4, 0)));
-        lit->addChild(makeBox(osg::Vec3d(-1, -1, 0.01), osg::Vec3d(1, 0.2, 2)));
-        setAlbedo(*lit, 0.8f);
-        return lit;
-    };
-    const Picture expected = renderer.render(make(Settings::IMMEDIATE));
-    osg::ref_ptr<LitScene> lit = make(Settings::BACKGROUND);
-    renderer.render(lit);
-    for (int i = 0; i < 500 && lit->regenerating(); ++i) {
-        renderer.render(lit);
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    EXPECT_FALSE(lit->regenerating());
-    EXPECT_LT(largestDifference(expected, renderer.render(lit)), 0.005);
-    const Picture still = renderer.render(lit);
-    EXPECT_EQ(0.0, largestDifference(still, renderer.render(lit))) << "then nothing changes";
 }
 
 TEST(Probes, ThePlanSaysWhyNot)

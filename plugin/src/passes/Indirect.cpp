@@ -71,8 +71,8 @@ Requirement PointsPass::require(const FrameContext& c) const
     return requireScene(c).because("light of the map, its suns and lamps at surface points, where it changes");
 }
 
-// A change reaches the points in turns, and goes on between them some bounces a frame: it may be one of many, as of a map that is
-// a video, and no frame waits for the last of them.
+// A change reaches the points in turns, and goes on between them by a bounce a frame; from the last turn on by some. It may be
+// one of many, as of a map that is a video, and no frame waits for the last of them.
 void PointsPass::update(FrameContext& c)
 {
     IndirectLight& light = *c.indirect;
@@ -88,8 +88,12 @@ void PointsPass::update(FrameContext& c)
     }
     light.rows = light.turns > 0 ? (atOnce ? 1 : lightTurns) : 0;
     if (light.turns > 0) --light.turns;
-    light.bounces = immediate ? light.laterBounces : std::min(light.laterBounces, bouncesPerFrame);
-    light.laterBounces -= light.bounces;
+    if (light.turns > 0) {
+        light.bounces = 1;
+    } else {
+        light.bounces = immediate ? light.laterBounces : std::min(light.laterBounces, bouncesPerFrame);
+        light.laterBounces -= light.bounces;
+    }
     if (light.isSettling()) ++c.waitingBounces;
 }
 
