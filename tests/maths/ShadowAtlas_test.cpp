@@ -12,6 +12,7 @@ using osgEnvLight::Caster;
 using osgEnvLight::CasterList;
 using osgEnvLight::LightList;
 using osgEnvLight::ShadowAtlas;
+using osgEnvLight::ShadowRefresh;
 
 namespace ShadowAtlas_test
 {
@@ -133,6 +134,45 @@ TEST_F(FirstMaps, AreTheNearestOfEachDirection)
                 const uint32_t two = reinterpret_cast<const uint32_t*>(image->data(unsigned(x), unsigned(y)))[k];
                 EXPECT_TRUE(drawn[two & 0xffffu] && drawn[two >> 16]);
             }
+}
+
+// Many triangles, of which the map of a small body's surroundings shows few.
+TEST(ShadowAtlas, MoreMapsAreDrawnWhereLittleOfThemHasChanged)
+{
+    const int side = 200;
+    const osg::ref_ptr<osg::Geometry> field = new osg::Geometry;
+    const osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
+    for (int i = 0; i < side * side; ++i)
+        for (const osg::Vec3& c : {osg::Vec3(0, 0, 0), osg::Vec3(1, 0, 0), osg::Vec3(0, 1, 1)})
+            corners->push_back(c + osg::Vec3(float(i % side), float(i / side), 0.0f));
+    field->setVertexArray(corners);
+    field->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, int(corners->size())));
+    const LightList list = evenLights();
+    const osg::ref_ptr<ShadowAtlas> atlas = new ShadowAtlas(count, 64);
+    std::vector<Caster> casters = triangle();
+    casters.insert(casters.begin(), {field, osg::Matrixd(), nullptr});
+    const auto show = [&](double x) {
+        casters[1].worldFromModel = osg::Matrixd::translate(x, 50, 1);
+        atlas->setCasters(CasterList(casters));
+    };
+    show(100);
+    EXPECT_EQ(count, atlas->update(list, count).size());
+    EXPECT_EQ(count, atlas->spent());
+    show(101);
+    std::vector<ShadowRefresh> drawn = atlas->update(list, 8);
+    EXPECT_LE(atlas->spent(), 9u);  // the last one begins within the budget
+    EXPECT_GE(drawn.size(), 12u);  // measured: 14; those of low lights show a long part
+    EXPECT_LE(drawn.size(), 32u);
+    for (const ShadowRefresh& refresh : drawn) {
+        EXPECT_FALSE(refresh.region.isEmpty());
+        EXPECT_LT(refresh.region.right - refresh.region.left, 10);
+    }
+    // A turned light's map is another one.
+    LightList turned = list;
+    for (auto& light : turned) light.direction = osg::Vec3d(light.direction.y(), -light.direction.x(), light.direction.z());
+    drawn = atlas->update(turned, 8);
+    EXPECT_EQ(8u, drawn.size());
+    for (const ShadowRefresh& refresh : drawn) EXPECT_TRUE(refresh.region.isWhole());
 }
 
 TEST_F(FirstMaps, DarkLightsComeLast)

@@ -19,7 +19,8 @@ std::vector<SettingsProperty> SkyShadowSettings::properties()
         number(
             "atlasUpdatesPerFrame", &S::atlasUpdatesPerFrame, 1, 1024, "maps per frame",
             "shadow maps of the sky, and as many of area lights, drawn again each frame while the scene, the map or the lights "
-            "change; the first frame draws a quarter of the sky's, which stand for all, and the next ones at least a sixteenth "
+            "change, or parts of up to four times as many; the first frame draws a quarter of the sky's, which stand for all, "
+            "and the next ones at least a sixteenth "
             "each; with regeneration = immediate, all"),
     };
 }

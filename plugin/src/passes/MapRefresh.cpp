@@ -83,7 +83,7 @@ unsigned AtlasOwner::update(const FrameContext& c, const LightList& list, unsign
     LightList lights = c.inWorld(list);
     lights.resize(get()->lights, DirectionalLight{osg::Vec3d(0, 0, 1), osg::Vec3d()});  // dark ones
     refreshes = get()->update(lights, budget);
-    return unsigned(refreshes.size());
+    return get()->spent();
 }
 
 void AtlasOwner::draw(PassBuilder& b, FrameContext& c, const char* pass, const std::string& name)

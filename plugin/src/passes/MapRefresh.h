@@ -123,8 +123,9 @@ class OSGENVLIGHT_EXPORT AtlasOwner : public MapsOwner<ShadowAtlas>
 
     /** Made anew where the counts differ. */
     ShadowAtlas& make(unsigned lights, unsigned size);
-    /** In update(): choose maps to be drawn in this frame, of lights in the map's frame. How many.
-     * @param budget  at most */
+    /** In update(): choose maps to be drawn in this frame, of lights in the map's frame.
+     * @param budget  [ShadowAtlas::update]
+     * @return what of it was needed */
     unsigned update(const FrameContext& context, const LightList& list, unsigned budget);
     /** In setup(): draw them. */
     void draw(PassBuilder& builder, FrameContext& context, const char* pass, const std::string& name);

@@ -184,6 +184,33 @@ void ShadowAtlas::setLights(const LightList& list)
     _rank = spreadRanks(list);
 }
 
+// Of the light as it is now.
+ShadowRefresh ShadowAtlas::draw(unsigned index)
+{
+    Map& map = _maps[index];
+    place(map, index, _list[index].direction);
+    const osg::Matrixd former = map.projection;
+    map.projection = projection(map);
+    const bool stands = map.drawn && map.projection == former;
+    const MapRegion region = stands ? regionOf(map.changed, former, _targets.origin, size) : MapRegion();
+    map.changed = ChangedPart();
+    map.drawn = true;
+    map.outdated = false;
+    map.former = false;
+    map.flux = _list[index].flux;
+    map.solidAngle = _solidAngles[index];
+    return {index, map.projection, 0.0f, 0.0f, region};
+}
+
+// In maps: by its triangles, but that it is drawn at all takes some time.
+double ShadowAtlas::cost(const ShadowRefresh& refresh) const
+{
+    const double least = 0.25;
+    if (refresh.region.isEmpty()) return 0.0;
+    if (_focus.valid() || refresh.region.isWhole()) return 1.0;
+    return std::max(_still.shareShown(refresh.region.projection(refresh.projection, size)), least);
+}
+
 std::vector<ShadowRefresh> ShadowAtlas::update(const LightList& list, unsigned budget)
 {
     if (_lost.exchange(false))
@@ -203,25 +230,15 @@ std::vector<ShadowRefresh> ShadowAtlas::update(const LightList& list, unsigned b
         const double p = priority(map, list[i].flux);
         if (p > 0.0) wanted.emplace_back(-p, i);
     }
-    const size_t count = _box.valid() ? std::min<size_t>(budget, wanted.size()) : 0;
-    _waiting = unsigned(wanted.size() - count);
-    std::partial_sort(wanted.begin(), wanted.begin() + std::ptrdiff_t(count), wanted.end());
+    std::sort(wanted.begin(), wanted.end());
     std::vector<ShadowRefresh> refreshes;
-    for (size_t k = 0; k < count; ++k) {
-        Map& map = _maps[wanted[k].second];
-        place(map, wanted[k].second, list[wanted[k].second].direction);
-        const osg::Matrixd former = map.projection;
-        map.projection = projection(map);
-        const bool stands = map.drawn && map.projection == former;
-        const MapRegion region = stands ? regionOf(map.changed, former, _targets.origin, size) : MapRegion();
-        map.changed = ChangedPart();
-        map.drawn = true;
-        map.outdated = false;
-        map.former = false;
-        map.flux = list[wanted[k].second].flux;
-        map.solidAngle = _solidAngles[wanted[k].second];
-        refreshes.push_back({wanted[k].second, map.projection, 0.0f, 0.0f, region});
+    double spent = 0.0;
+    while (_box.valid() && refreshes.size() < wanted.size() && spent < budget) {
+        refreshes.push_back(draw(wanted[refreshes.size()].second));
+        spent += cost(refreshes.back());
     }
+    _spent = unsigned(std::ceil(spent));
+    _waiting = unsigned(wanted.size() - refreshes.size());
     if (changed || !refreshes.empty()) ++_version;
     return refreshes;
 }

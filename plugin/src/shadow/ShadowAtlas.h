@@ -32,8 +32,11 @@ class OSGENVLIGHT_EXPORT ShadowAtlas : public osg::Referenced
 
     /** What a frame draws.
      * @param list    O's lights, in the world; its order is the maps'
-     * @param budget  maps at most; lights without any come first, as far apart as can be, then flux and age decide */
+     * @param budget  maps at most, or parts of more maps that take about as long; lights without any come first, as far apart as
+     *                can be, then flux and age decide */
     std::vector<ShadowRefresh> update(const LightList& list, unsigned budget);
+    /** What of the last budget was needed. */
+    unsigned spent() const { return _spent; }
 
     /** Turn the maps by another angle, and shift them by another part of a texel, when they are next drawn. */
     void turn(unsigned sequence) { _turn = sequence; }
@@ -116,6 +119,8 @@ class OSGENVLIGHT_EXPORT ShadowAtlas : public osg::Referenced
     void writePlace(osg::Image& image, unsigned index, unsigned firstRow, const osg::Vec3d& origin) const;
     bool showsAs(const ShadowAtlas& other, unsigned index) const;
     double priority(const Map& map, const osg::Vec3d& flux) const;
+    double cost(const ShadowRefresh& refresh) const;
+    ShadowRefresh draw(unsigned index);
     osg::Matrixd projection(const Map& map) const;
 
     std::vector<Map> _maps;
@@ -131,6 +136,7 @@ class OSGENVLIGHT_EXPORT ShadowAtlas : public osg::Referenced
     osg::BoundingSphered _focus;  // invalid: all of it
     osg::BoundingSphered _formerFocus;
     unsigned _waiting = 0;
+    unsigned _spent = 0;
     unsigned _version = 0;
     mutable std::atomic<bool> _lost{false};
     ShadowTargets _targets;

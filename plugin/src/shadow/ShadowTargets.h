@@ -42,8 +42,10 @@ struct OSGENVLIGHT_EXPORT ShadowTargets {
 
 /** Texels of a map, from the lower left corner; the upper ones are outside. The default is all of them. */
 struct OSGENVLIGHT_EXPORT MapRegion {
-    int left = 0, bottom = 0, right = 1 << 30, top = 1 << 30;
+    static constexpr int most = 1 << 30;
+    int left = 0, bottom = 0, right = most, top = most;
 
+    bool isWhole() const { return right == most; }
     bool isEmpty() const { return left >= right || bottom >= top; }
     /** Within a map of that size. */
     MapRegion within(unsigned size) const;

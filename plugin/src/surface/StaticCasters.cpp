@@ -201,6 +201,17 @@ std::vector<Caster> StaticCasters::drawn() const
     return result;
 }
 
+double StaticCasters::shareShown(const osg::Matrixd& projection) const
+{
+    size_t shown = 0, all = 0;
+    for (const auto& geometry : _merged) {
+        const size_t indices = geometry->getPrimitiveSet(0)->getNumIndices();
+        all += indices;
+        if (mapShows(projection, osg::BoundingBoxd(geometry->getBoundingBox()))) shown += indices;
+    }
+    return all > 0 ? double(shown) / double(all) : 0.0;
+}
+
 size_t StaticCasters::bytes() const
 {
     size_t sum = _merged.empty() ? 0 : _merged[0]->getVertexArray()->getTotalDataSize();

@@ -43,13 +43,16 @@ class OSGENVLIGHT_EXPORT StaticCasters
     std::vector<Caster> drawn() const;
     /** Triangles of drawn(). */
     size_t triangles() const { return trianglesOf(drawn()); }
+    /** Share of the merged ones' triangles that a map's draw does not leave out.
+     * @param projection  of the map or of a part of it, about the place's origin */
+    double shareShown(const osg::Matrixd& projection) const;
     size_t bytes() const;
 
     void resizeGLObjectBuffers(unsigned maximum) const;
     void releaseGLObjects(osg::State* state) const;
 
     /** Triangles of a geometry, at most: of so many that a draw costs little more than without them. */
-    static constexpr size_t mostTriangles = 8192;
+    static constexpr size_t mostTriangles = 4096;
 
     /** Frames without motion until what has moved is merged: a motion that pauses costs nothing. */
     static constexpr unsigned patience = 8;
