@@ -20,8 +20,7 @@ std::vector<SettingsProperty> SkyShadowSettings::properties()
             "atlasUpdatesPerFrame", &S::atlasUpdatesPerFrame, 1, 1024, "maps per frame",
             "shadow maps of the sky, and as many of area lights, drawn again each frame while the scene, the map or the lights "
             "change, or parts of up to four times as many; the first frame draws a quarter of the sky's, which stand for all, "
-            "and the next ones at least a sixteenth "
-            "each; with regeneration = immediate, all"),
+            "and the next ones at least a sixteenth each; with regeneration = immediate, all"),
     };
 }
 

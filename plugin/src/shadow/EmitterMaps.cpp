@@ -33,6 +33,7 @@ void EmitterMaps::setCasters(const CasterList& casters)
 {
     const double slack = movedShare * _extent;
     _moved = _casters.take(casters, slack);
+    _fitted = _moved && (casters.bound._min != _box._min || casters.bound._max != _box._max);
     if (_moved) {
         _box = casters.bound;
         _extent = _box.valid() ? diagonal(_box) : 0.0;
@@ -93,6 +94,11 @@ osg::Matrixd EmitterMaps::projection(const Map& map) const
     return m;
 }
 
+bool EmitterMaps::shows(const Map& map, const ChangedPart& part) const
+{
+    return !map.drawn || !regionOf(part, map.projection, _targets.origin, size).isEmpty();
+}
+
 double EmitterMaps::priority(const Map& map, const EmitterPoint& point) const
 {
     const double power = point.power[0] + point.power[1] + point.power[2];
@@ -112,8 +118,11 @@ std::vector<ShadowRefresh> EmitterMaps::update(const std::vector<EmitterPoint>& 
         Map& map = _maps[i];
         const bool elsewhere = (list[i].position - map.position).length() > movedShare * _extent ||
                                (list[i].normal - map.along).length() > movedShare || list[i].tangent != map.widest;
-        map.outdated = map.outdated || _moved || elsewhere;
-        if (_moved) map.changed.add(_casters.changed());
+        map.outdated = map.outdated || elsewhere;
+        if (_moved && (_fitted || shows(map, _casters.changed()))) {
+            map.outdated = true;
+            map.changed.add(_casters.changed());
+        }
         map.age = map.outdated ? map.age + 1 : 0;
         const double p = priority(map, list[i]);
         if (p > 0.0) wanted.emplace_back(-p, i);

@@ -75,6 +75,7 @@ class OSGENVLIGHT_EXPORT EmitterMaps : public osg::Referenced
     void fit(Map& map) const;
     osg::Matrixd projection(const Map& map) const;
     double priority(const Map& map, const EmitterPoint& point) const;
+    bool shows(const Map& map, const ChangedPart& part) const;
     double scale() const;
 
     std::vector<Map> _maps;
@@ -84,6 +85,7 @@ class OSGENVLIGHT_EXPORT EmitterMaps : public osg::Referenced
     osg::BoundingBoxd _box;  // of what casts shadows
     double _extent = 0.0;    // its diagonal
     bool _moved = false;
+    bool _fitted = false;  // the maps are to show another part of the world
     unsigned _waiting = 0;
     unsigned _version = 0;
     mutable std::atomic<bool> _lost{false};

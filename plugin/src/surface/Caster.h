@@ -46,8 +46,8 @@ struct CasterList {
 
     std::vector<Caster> all;
     osg::BoundingBoxd bound;     // of all of them, in the world
-    osg::Matrixd worldFromNode;  // of what they were collected below
-    size_t lamps = 0;            // how many are
+    osg::Matrixd worldFromNode;  // of the node below which they were collected
+    size_t lamps = 0;            // how many of them are
     unsigned version = 0;        // counts the changes of any of it; 0: they are not counted
 };
 
