@@ -94,11 +94,6 @@ osg::Matrixd EmitterMaps::projection(const Map& map) const
     return m;
 }
 
-bool EmitterMaps::shows(const Map& map, const ChangedPart& part) const
-{
-    return !map.drawn || !regionOf(part, map.projection, _targets.origin, size).isEmpty();
-}
-
 double EmitterMaps::priority(const Map& map, const EmitterPoint& point) const
 {
     const double power = point.power[0] + point.power[1] + point.power[2];
@@ -119,10 +114,8 @@ std::vector<ShadowRefresh> EmitterMaps::update(const std::vector<EmitterPoint>& 
         const bool elsewhere = (list[i].position - map.position).length() > movedShare * _extent ||
                                (list[i].normal - map.along).length() > movedShare || list[i].tangent != map.widest;
         map.outdated = map.outdated || elsewhere;
-        if (_moved && (_fitted || shows(map, _casters.changed()))) {
-            map.outdated = true;
-            map.changed.add(_casters.changed());
-        }
+        if (_moved) map.noteChange(_casters.changed(), _targets.origin, size);
+        if (_fitted) map.outdated = true;
         map.age = map.outdated ? map.age + 1 : 0;
         const double p = priority(map, list[i]);
         if (p > 0.0) wanted.emplace_back(-p, i);
@@ -135,13 +128,7 @@ std::vector<ShadowRefresh> EmitterMaps::update(const std::vector<EmitterPoint>& 
         Map& map = _maps[wanted[k].second];
         place(map, list[wanted[k].second]);
         fit(map);
-        const osg::Matrixd former = map.projection;
-        map.projection = projection(map);
-        const bool stands = map.drawn && map.projection == former;
-        const MapRegion region = stands ? regionOf(map.changed, former, _targets.origin, size) : MapRegion();
-        map.changed = ChangedPart();
-        map.drawn = true;
-        map.outdated = false;
+        const MapRegion region = map.draw(projection(map), _targets.origin, size);
         refreshes.push_back({wanted[k].second, map.projection, float(2.0 * map.tangent / size), float(map.octaves), region});
     }
     if (changed || !refreshes.empty()) ++_version;

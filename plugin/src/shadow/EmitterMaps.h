@@ -59,23 +59,17 @@ class OSGENVLIGHT_EXPORT EmitterMaps : public osg::Referenced
 
   private:
     // Where a map was last drawn from, and what it shows: a square window at distance 1 along its axis, and distances.
-    struct Map {
+    struct Map : KeptMap {
         osg::Vec3d position, across, up, along;
         double widest = 0.0;  // half the width that a window may have
         osg::Vec2d window;
         double tangent = 1.0;  // half this one's
         double nearest = 1.0, octaves = 1.0;
-        bool drawn = false;
-        bool outdated = false;
-        unsigned age = 0;     // frames since it became outdated
-        ChangedPart changed;  // since it was drawn
-        osg::Matrixd projection;
     };
     void place(Map& map, const EmitterPoint& point) const;
     void fit(Map& map) const;
     osg::Matrixd projection(const Map& map) const;
     double priority(const Map& map, const EmitterPoint& point) const;
-    bool shows(const Map& map, const ChangedPart& part) const;
     double scale() const;
 
     std::vector<Map> _maps;

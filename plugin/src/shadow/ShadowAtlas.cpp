@@ -79,11 +79,6 @@ bool ShadowAtlas::fit(const osg::BoundingBoxd& bound)
     return true;
 }
 
-bool ShadowAtlas::shows(const Map& map, const ChangedPart& part) const
-{
-    return !map.drawn || !regionOf(part, map.projection, _targets.origin, size).isEmpty();
-}
-
 void ShadowAtlas::place(Map& map, unsigned index, const osg::Vec3d& direction) const
 {
     const glsl::mat3 frame = glsl::frameAround(glsl::vec3(direction.x(), direction.y(), direction.z()));
@@ -189,13 +184,7 @@ ShadowRefresh ShadowAtlas::draw(unsigned index)
 {
     Map& map = _maps[index];
     place(map, index, _list[index].direction);
-    const osg::Matrixd former = map.projection;
-    map.projection = projection(map);
-    const bool stands = map.drawn && map.projection == former;
-    const MapRegion region = stands ? regionOf(map.changed, former, _targets.origin, size) : MapRegion();
-    map.changed = ChangedPart();
-    map.drawn = true;
-    map.outdated = false;
+    const MapRegion region = map.draw(projection(map), _targets.origin, size);
     map.former = false;
     map.flux = _list[index].flux;
     map.solidAngle = _solidAngles[index];
@@ -222,10 +211,8 @@ std::vector<ShadowRefresh> ShadowAtlas::update(const LightList& list, unsigned b
         Map& map = _maps[i];
         const double step = (list[i].direction - map.along).length();
         map.outdated = map.outdated || step > movedLight;
-        if (_moved && (_fitted || shows(map, _casters.changed()))) {
-            map.outdated = true;
-            map.changed.add(_casters.changed());
-        }
+        if (_moved) map.noteChange(_casters.changed(), _targets.origin, size);
+        if (_fitted) map.outdated = true;
         map.age = map.outdated ? map.age + 1 : 0;
         const double p = priority(map, list[i].flux);
         if (p > 0.0) wanted.emplace_back(-p, i);

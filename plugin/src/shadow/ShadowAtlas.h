@@ -98,23 +98,17 @@ class OSGENVLIGHT_EXPORT ShadowAtlas : public osg::Referenced
   private:
     // Where a map stands: the cube about center of half-side radius, seen along the direction to the light. What lies above it
     // casts shadows into it.
-    struct Map {
+    struct Map : KeptMap {
         osg::Vec3d across, up, along;
         osg::Vec3d center;
         double radius = 0.0;
-        bool drawn = false;
-        bool outdated = false;
         bool former = false;  // what is drawn is of a light that is elsewhere now
-        unsigned age = 0;     // frames since it became outdated
-        ChangedPart changed;  // since it was drawn
-        osg::Matrixd projection;
-        osg::Vec3d flux;  // of the light it shows
+        osg::Vec3d flux;      // of the light it shows
         double solidAngle = 0.0;
     };
     void setLights(const LightList& list);
     std::vector<unsigned> servingLights() const;
     bool fit(const osg::BoundingBoxd& bound);
-    bool shows(const Map& map, const ChangedPart& part) const;
     void place(Map& map, unsigned index, const osg::Vec3d& direction) const;
     void writePlace(osg::Image& image, unsigned index, unsigned firstRow, const osg::Vec3d& origin) const;
     bool showsAs(const ShadowAtlas& other, unsigned index) const;

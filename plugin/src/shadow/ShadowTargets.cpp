@@ -72,4 +72,23 @@ MapRegion regionOf(const ChangedPart& changed, const osg::Matrixd& projection, c
             texel(std::ceil(shown.xMax() + margin)), texel(std::ceil(shown.yMax() + margin))};
 }
 
+void KeptMap::noteChange(const ChangedPart& part, const osg::Vec3d& origin, unsigned size)
+{
+    if (drawn && regionOf(part, projection, origin, size).isEmpty()) return;
+    outdated = true;
+    changed.add(part);
+}
+
+MapRegion KeptMap::draw(const osg::Matrixd& newProjection, const osg::Vec3d& origin, unsigned size)
+{
+    const bool stands = drawn && projection == newProjection;
+    const MapRegion region = stands ? regionOf(changed, projection, origin, size) : MapRegion();
+    projection = newProjection;
+    changed = ChangedPart();
+    drawn = true;
+    outdated = false;
+    age = 0;
+    return region;
+}
+
 }  // namespace osgEnvLight

@@ -58,6 +58,21 @@ struct OSGENVLIGHT_EXPORT MapRegion {
 OSGENVLIGHT_EXPORT MapRegion regionOf(const ChangedPart& changed, const osg::Matrixd& projection, const osg::Vec3d& origin,
                                       unsigned size);
 
+/** A map that stays from frame to frame, and is drawn again where casters have changed. */
+struct OSGENVLIGHT_EXPORT KeptMap {
+    bool drawn = false;
+    bool outdated = false;
+    unsigned age = 0;         // frames since it became outdated
+    osg::Matrixd projection;  // that it was drawn with
+    ChangedPart changed;      // since then
+
+    /** Casters have changed: it is outdated if it shows that. */
+    void noteChange(const ChangedPart& part, const osg::Vec3d& origin, unsigned size);
+    /** It is drawn now, with that projection.
+     * @return what of it has to be */
+    MapRegion draw(const osg::Matrixd& newProjection, const osg::Vec3d& origin, unsigned size);
+};
+
 /** One map to be drawn in this frame. */
 struct ShadowRefresh {
     unsigned map;
