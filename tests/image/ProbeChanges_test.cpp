@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light between surfaces by points and probes when something changes: in the end it is that of a scene which was never another.
+// Light between surfaces by points and probes, after a change: it becomes that of a scene which always was as it is now.
 #include "ProbeScenes.h"
 
 #include <osg/LightSource>
@@ -13,7 +13,7 @@ namespace ProbeChanges_test
 
 using namespace probescenes;
 
-// In turns: what the last points receive goes on as well, though of so little light a bounce or two would have been enough.
+// Points learn of the change in turns. The last ones send their new light on, too, though dark surfaces need few bounces.
 TEST(Probes, AChangeOfALampReachesAllPoints)
 {
     SceneRenderer renderer(64, 64);

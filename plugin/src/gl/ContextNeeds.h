@@ -8,8 +8,8 @@
 namespace osgEnvLight
 {
 
-/** Says what the current context has less than the passes need: OpenGL 3.3, GLSL 3.30 and the compatibility profile. Empty if it
- * has all of it. Asks OpenGL. */
+/** What the current context lacks of the passes' needs: OpenGL 3.3, GLSL 3.30, the compatibility profile. Empty if it lacks
+ * nothing. Asks OpenGL. */
 std::string unmetNeeds(const osg::State& state);
 
 }  // namespace osgEnvLight

@@ -71,8 +71,8 @@ Requirement PointsPass::require(const FrameContext& c) const
     return requireScene(c).because("light of the map, its suns and lamps at surface points, where it changes");
 }
 
-// A change reaches the points in turns, and goes on between them by a bounce a frame; from the last turn on by some. It may be
-// one of many, as of a map that is a video, and no frame waits for the last of them.
+// A change of light reaches the points in turns. While it does, each frame adds one bounce; from the last turn on it adds
+// several. No frame waits for the last bounce: another change may follow at once, as with a video for a map.
 void PointsPass::update(FrameContext& c)
 {
     IndirectLight& light = *c.indirect;

@@ -10,8 +10,8 @@
 namespace osgEnvLight
 {
 
-/** Draws maps of height, or parts of them: the casters twice, for the first and the second surface from each light, then what is
- * made of both into the maps. Owned by one frame of one view; written at cull. */
+/** Draws maps of height, or parts of them. It draws the casters twice, for the first and the second surface from each light. Then
+ * it writes what is made of both into the maps. Owned by one frame of one view; written at cull. */
 class OSGENVLIGHT_EXPORT AtlasRefresh : public osg::Drawable
 {
   public:

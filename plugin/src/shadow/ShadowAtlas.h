@@ -32,8 +32,8 @@ class OSGENVLIGHT_EXPORT ShadowAtlas : public osg::Referenced
 
     /** What a frame draws.
      * @param list    O's lights, in the world; its order is the maps'
-     * @param budget  maps at most, or parts of more maps that take about as long; lights without any come first, as far apart as
-     *                can be, then flux and age decide */
+     * @param budget  of maps, or of parts of more maps that take about as long. Lights without a map come first, as far apart as
+     *                can be. Then flux and age decide */
     std::vector<ShadowRefresh> update(const LightList& list, unsigned budget);
     /** What of the last budget was needed. */
     unsigned spent() const { return _spent; }

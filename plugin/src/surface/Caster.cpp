@@ -31,6 +31,15 @@ void addTo(ChangedPart& part, const Caster& caster)
         part.add(bound);
 }
 
+// Applications change vertices and may not say that their bound is another.
+void addTo(ChangedPart& part, const Caster& former, const Caster& now)
+{
+    addTo(part, former);
+    addTo(part, now);
+    const bool isDeformed = former.geometry == now.geometry && former.shape != now.shape;
+    if (isDeformed && !(former.isMeasured && now.isMeasured)) part.addAll();
+}
+
 }  // namespace
 
 bool ShownCasters::take(const CasterList& list, double slack)
@@ -38,20 +47,14 @@ bool ShownCasters::take(const CasterList& list, double slack)
     const bool isTaken = list.version > 0 && list.version == _version;
     if (isTaken || sameShadows(list.all, _casters, slack)) return false;
     _changed = ChangedPart();
-    for (size_t i = list.all.size(); i < _casters.size(); ++i) addTo(_changed, _casters[i]);
     const size_t kept = std::min(_casters.size(), list.all.size());
+    for (size_t i = 0; i < kept; ++i)
+        if (!sameShadow(_casters[i], list.all[i], 0.0)) addTo(_changed, _casters[i], list.all[i]);
+    for (size_t i = kept; i < _casters.size(); ++i) addTo(_changed, _casters[i]);
+    for (size_t i = kept; i < list.all.size(); ++i) addTo(_changed, list.all[i]);
     _casters.resize(list.all.size());
-    for (size_t i = 0; i < _casters.size(); ++i) {
-        Caster& former = _casters[i];
-        const Caster& now = list.all[i];
-        if (former == now) continue;
-        if (i < kept && !sameShadow(former, now, 0.0)) addTo(_changed, former);
-        if (i >= kept || !sameShadow(former, now, 0.0)) addTo(_changed, now);
-        // Applications change vertices and may not say that their bound is another.
-        const bool isDeformed = i < kept && former.geometry == now.geometry && former.shape != now.shape;
-        if (isDeformed && !(former.isMeasured && now.isMeasured)) _changed.addAll();
-        former = now;
-    }
+    for (size_t i = 0; i < _casters.size(); ++i)
+        if (!(_casters[i] == list.all[i])) _casters[i] = list.all[i];
     _version = list.version;
     return true;
 }

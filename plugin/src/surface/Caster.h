@@ -122,8 +122,8 @@ inline double diagonal(const osg::BoundingBoxd& box)
 /** Triangles of the casters, about: those of strips and the like by their vertices. */
 OSGENVLIGHT_EXPORT size_t trianglesOf(const std::vector<Caster>& casters);
 
-/** Whether a map shows any of a box about its origin: not if all corners lie beyond one side, or below. What lies above the map's
- * heights casts shadows into it. */
+/** Whether a map shows a part of a box about its origin. It does not if all corners lie beyond one of its sides, or below it.
+ * What lies above its heights casts shadows into it. */
 OSGENVLIGHT_EXPORT bool mapShows(const osg::Matrixd& projection, const osg::BoundingBoxd& bound);
 
 }  // namespace osgEnvLight

@@ -72,11 +72,11 @@ class OSGENVLIGHT_EXPORT CasterCollector : public osg::NodeVisitor, public osg::
     void apply(osg::Drawable&) override {}
 
   private:
-    /** What the state sets down to a node say, and of that what is the same for all drawables without colours of their own. */
+    /** What the state sets from the root down to a node say. */
     struct Level {
         CasterState state;
-        std::optional<osg::Vec3f> lamp;
-        std::optional<SentLight> sent;
+        std::optional<osg::Vec3f> lamp;  // once a drawable has asked
+        std::optional<SentLight> sent;   // the same, for drawables without colours of their own
     };
     /** Of a transform, or of the node. */
     struct Place {

@@ -8,9 +8,9 @@
 namespace osgEnvLight
 {
 
-/** The solid casters that stand still as a few coarse geometries, so that a map of the atlas is a few draws, however many
- * drawables there are; what moves is drawn beside them as it is, and joins them when all have stood still for a while. Each is of
- * one part of the world, so that where little changes, little is drawn. */
+/** Merges the solid casters that stand still into a few coarse geometries. So a map of the atlas takes a few draws, however many
+ * drawables there are. What moves is drawn beside them as it is; it joins them when all have stood still for a while. Each
+ * geometry lies in one part of the world, so that where little changes, little is drawn. */
 class OSGENVLIGHT_EXPORT StaticCasters
 {
   public:
