@@ -9,9 +9,10 @@
 #include "lib/ltc.glsl"
 #include "lib/polygon.glsl"
 
-uniform sampler2D areaLightMap; // a column each; rows: centre, the square of the radius of what holds the light; radiance, shape + 4 where
-                                // both sides are lit + 8 vertices; u, number of its picture or -1; v, 1 or -1
-                                // if the picture's top is at -v; of a polygon its vertices about its centre
+uniform sampler2D areaLightMap; // AREA_LIGHT_ROWS texels above each other each: centre, the square of the radius of what holds the light;
+                                // radiance, shape + 4 where both sides are lit + 8 vertices; u, number of its picture or -1; v, 1 or -1
+                                // if the picture's top is at -v, of a polygon the number of its first vertex's texel, of all texels. After
+                                // the lights come the vertices about the centres
 
 // As AreaLight::Shape.
 const int AREA_RECTANGLE = 0;
@@ -30,24 +31,30 @@ struct AreaLight {
     float squareRadius;
     bool back;  // it is seen from the other side than that of u x v
     int vertices;
-    int index;
+    int firstVertex;
     int picture;      // its layer; -1: none
     float pictureUp;  // 1 if the picture's top is at v, -1 at -v
 };
+
+vec4 areaTexel(int i, int row)
+{
+    int columns = textureSize(areaLightMap, 0).x;
+    return texelFetch(areaLightMap, ivec2(i % columns, i / columns * AREA_LIGHT_ROWS + row), 0);
+}
 
 // The light from a point; of one that is lit on both sides, the side that is turned to it becomes that of u x v.
 AreaLight areaLight(int i, vec3 point)
 {
     AreaLight a;
-    vec4 center = texelFetch(areaLightMap, ivec2(i, 0), 0);
-    vec4 radiance = texelFetch(areaLightMap, ivec2(i, 1), 0);
+    vec4 center = areaTexel(i, 0);
+    vec4 radiance = areaTexel(i, 1);
     int code = int(radiance.w);
     a.shape = code & 3;
     a.center = center.xyz - point;
     a.radiance = radiance.rgb;
     a.squareRadius = center.w;
-    vec4 u = texelFetch(areaLightMap, ivec2(i, 2), 0);
-    vec4 v = texelFetch(areaLightMap, ivec2(i, 3), 0);
+    vec4 u = areaTexel(i, 2);
+    vec4 v = areaTexel(i, 3);
     a.u = u.xyz;
     a.v = v.xyz;
     a.picture = int(u.w);
@@ -58,7 +65,7 @@ AreaLight areaLight(int i, vec3 point)
         a.pictureUp = -a.pictureUp;
     }
     a.vertices = code >> 3;
-    a.index = i;
+    a.firstVertex = int(v.w);
     return a;
 }
 
@@ -100,7 +107,9 @@ AreaLight inFrame(AreaLight a, mat3 worldFromLocal)
 vec3 areaVertex(AreaLight a, int k, mat3 worldFromLocal)
 {
     int i = a.back ? a.vertices - 1 - k : k;
-    return texelFetch(areaLightMap, ivec2(a.index, AREA_LIGHT_ROWS + i), 0).xyz * worldFromLocal;
+    int columns = textureSize(areaLightMap, 0).x;
+    int texel = a.firstVertex + i;
+    return texelFetch(areaLightMap, ivec2(texel % columns, texel / columns), 0).xyz * worldFromLocal;
 }
 
 float polygonFormFactor(AreaLight a, mat3 worldFromLocal)

@@ -17,7 +17,7 @@ bool has(const Defines& set, const std::string& define)
 }
 
 // Of each row at most one: an index or a switch chooses it. Occlusion::setup, Diffuse::setup, CompositePass::setup,
-// SurfaceSort::variantBits.
+// SurfaceSort::variantBits, AreaLightsPass::setup.
 const std::vector<Defines> alternatives = {
     {"OCCLUSION_SLICES", "OCCLUSION_RAYS", "OCCLUSION_POINTS", "OCCLUSION_HORIZONS", "OCCLUSION_BENT_NORMAL"},
     {"SLICES_1", "SLICES_2", "SLICES_3"},
@@ -27,6 +27,7 @@ const std::vector<Defines> alternatives = {
     {"ACCUMULATED", "TEMPORAL"},
     {"NO_TEXTURE", "TEXTURE_REPLACE", "TEXTURE_DECAL", "TEXTURE_BLEND", "TEXTURE_ADD"},
     {"TEXGEN_OBJECT", "TEXGEN_EYE"},
+    {"HAS_AREA_POINTS", "HAS_LIGHT_CUTS"},
     {"ENVLIGHT_LAMBERT", "ENVLIGHT_PHONG", "ENVLIGHT_COOK_TORRANCE", "ENVLIGHT_STRAUSS"},
 };
 

@@ -285,7 +285,7 @@ TEST_F(FrameGraphTest, EveryPassIsInThePlan)
           "bounce",       "bouncesum",  "links",        "points",         "bounces",         "indirect",    "resolve",
           "accumulate",   "stillerror", "display",      "composite",      "forward",         "areamaps",    "areashadow",
           "arearows",     "areafilter", "arealights",   "scenelightmaps", "glossyocclusion", "sunquads",    "gather",
-          "gatherfilter", "loberays",   "loberaylight", "loberayfilter",  "temporal",        "motion"})
+          "gatherfilter", "loberays",   "loberaylight", "loberayfilter",  "temporal",        "motion",      "lighttotals"})
         EXPECT_NE("", lit->plan().reason(pass)) << pass;
 }
 

@@ -152,7 +152,7 @@ osg::ref_ptr<WatchedScene> makeScene()
     glass->getOrCreateStateSet()->setAttribute(clear);
     glass->getOrCreateStateSet()->setMode(GL_BLEND, osg::StateAttribute::ON);
     lit->addChild(glass);
-    lit->addChild(new osgEnvLight::AreaLight);
+    for (int i = 0; i < 9; ++i) lit->addChild(new osgEnvLight::AreaLight);  // so many that cuts through a tree of them are taken
     const osg::ref_ptr<osg::LightSource> lamp = new osg::LightSource;
     lamp->getLight()->setLightNum(1);
     lit->addChild(lamp);

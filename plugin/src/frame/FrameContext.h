@@ -57,10 +57,10 @@ struct FrameContext {
 
     osg::Matrixd mapFromWorld = {};
     osg::Matrixd worldFromEye = {};
-    double radianceScale = 0.0;           // the map's mean radiance times its intensity
-    double baseStops = 0.0;               // the exposure that the picture has before the setting's stops
-    DepthConvention depth = {};           // the host's
-    const FormerFrame* former = nullptr;  // null: there was none of this size
+    double radianceScale = 0.0;                // the map's mean radiance times its intensity
+    double baseStops = 0.0;                    // the exposure that the picture has before the setting's stops
+    DepthConvention depth = {};                // the host's
+    const FormerFrame* former = nullptr;       // null: there was none of this size
     std::vector<MovedCaster> moved = {};       // where the picture is averaged over frames
     SceneLightList lights = {};                // of the application that are switched on
     std::vector<Emitter> areaLights = {};      // in the world
@@ -82,6 +82,7 @@ struct FrameContext {
     unsigned waitingBounces = 0;         // further frames would change what surfaces send each other
     EmitterMaps* emitterMaps = nullptr;  // of the area lights' points; null: nothing hides them
     osg::Texture2D* emitterPoints = nullptr;  // EmitterMaps::pointImage()
+    osg::Texture2D* lightTree = nullptr;      // of many area lights
     EmitterMaps* sceneLightMaps = nullptr;    // of the application's lights; null: nothing hides them
     osg::Texture2D* sceneLightPoints = nullptr;
     SunShadows* sunMaps = nullptr;            // null: suns have none

@@ -33,6 +33,7 @@ LitView::LitView(Failure* failure, RetiredObjects* retired, SurfaceSorter* sorte
     graph.add(new AreaShadowPass);
     graph.add(new AreaRowsPass);
     graph.add(new AreaFilterPass);
+    graph.add(new LightTotalsPass);
     graph.add(new AreaLightsPass);
     graph.add(new DepthProbePass);
     graph.add(new SkyShadows(failure, retired));

@@ -3,6 +3,7 @@
 
 #include "base/Limits.h"
 #include "gl/TargetTexture.h"
+#include "passes/AreaTables.h"
 #include "passes/Inputs.h"
 #include "passes/Occlusion.h"
 #include "surface/LtcTable.h"
@@ -16,8 +17,8 @@ namespace osgEnvLight
 namespace
 {
 
-// So many lights have closed forms. Of more, all points stand for them, and a pixel's time does not grow with their number any
-// more.
+// So many lights have closed forms in each pixel. Of more, a cut through a tree of them decides which have, or points stand for
+// all.
 const size_t mostClosedForms = 8;
 
 Requirement requireLights(const FrameContext& c)
@@ -38,9 +39,31 @@ Requirement requireMaps(const FrameContext& c)
     return requireEmitterMaps(c, requireLights(c));
 }
 
+bool areMany(const FrameContext& c)
+{
+    return c.facts.areaLights > mostClosedForms;
+}
+
 bool pointsStandForThem(const FrameContext& c)
 {
-    return c.emitterMaps && c.facts.areaLights > mostClosedForms;
+    return c.emitterMaps && areMany(c) && c.settings.manyLights == Settings::MANY_LIGHTS_POINTS;
+}
+
+bool needsCuts(const FrameContext& c)
+{
+    return areMany(c) && !pointsStandForThem(c);
+}
+
+// About which passes have the area lights, in the world.
+osg::Vec3d lightOrigin(const FrameContext& c)
+{
+    return c.emitterMaps ? c.shownEmitterMaps()->origin() : c.areaLights.front().center;
+}
+
+const char* howLit(const FrameContext& c)
+{
+    if (needsCuts(c)) return ", by a cut through a tree of them in each pixel";
+    return areMany(c) ? ", for which their points stand" : ", each by its closed form";
 }
 
 bool lightsLobes(const FrameContext& c)
@@ -48,67 +71,10 @@ bool lightsLobes(const FrameContext& c)
     return c.settings.specular && c.facts.surfaces.hasLobes();
 }
 
-// u and v; of a polygon two vectors whose cross product is its area along its normal.
-std::pair<osg::Vec3d, osg::Vec3d> axesOf(const Emitter& light)
-{
-    if (light.shape != AreaLight::POLYGON) return {light.u, light.v};
-    const auto shorter = [](const osg::Vec3d& a, const osg::Vec3d& b) { return a.length2() < b.length2(); };
-    const osg::Vec3d& u = *std::max_element(light.vertices.begin(), light.vertices.end(), shorter);
-    return {u, (light.normal ^ u) * (light.area / u.length2())};
-}
-
-// As pass/arealights.glsl reads them.
-osg::ref_ptr<osg::Image> lightImage(const std::vector<Emitter>& lights, const osg::Vec3d& origin)
-{
-    size_t vertices = 0;
-    for (const Emitter& light : lights) vertices = std::max(vertices, light.vertices.size());
-    int pictures = 0;
-    osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->allocateImage(int(lights.size()), limits::AREA_LIGHT_ROWS + int(vertices), 1, GL_RGBA, GL_FLOAT);
-    image->setInternalTextureFormat(GL_RGBA32F_ARB);
-    for (size_t i = 0; i < lights.size(); ++i) {
-        const Emitter& light = lights[i];
-        const auto [u, v] = axesOf(light);
-        writeTexel(*image, unsigned(i), 0, light.center - origin, light.extent() * light.extent());
-        writeTexel(*image, unsigned(i), 1, light.radiance,
-                   light.shape + (light.twoSided ? 4 : 0) + 8 * int(light.vertices.size()));
-        writeTexel(*image, unsigned(i), 2, u, light.picture ? pictures++ : -1);
-        writeTexel(*image, unsigned(i), 3, v, light.pictureTurned ? -1.0 : 1.0);
-        for (size_t k = 0; k < vertices; ++k)
-            writeTexel(*image, unsigned(i), unsigned(limits::AREA_LIGHT_ROWS + k),
-                       k < light.vertices.size() ? light.vertices[k] : osg::Vec3d(), 0.0);
-    }
-    return image;
-}
-
-bool showsPicture(const Emitter& light)
-{
-    return light.picture.valid();
-}
-
 // Points that stand for lights have their pictures' colours themselves.
 bool hasPictures(const FrameContext& c)
 {
     return !pointsStandForThem(c) && std::any_of(c.areaLights.begin(), c.areaLights.end(), showsPicture);
-}
-
-// A layer each, in the order of the lights.
-osg::ref_ptr<osg::Texture2DArray> pictureTexture(const std::vector<Emitter>& lights)
-{
-    const auto count = int(std::count_if(lights.begin(), lights.end(), showsPicture));
-    osg::ref_ptr<osg::Texture2DArray> texture = new osg::Texture2DArray;
-    texture->setTextureSize(int(EmitterPicture::side), int(EmitterPicture::side), count);
-    texture->setInternalFormat(GL_RGB16F_ARB);
-    texture->setSourceFormat(GL_RGB);
-    texture->setSourceType(GL_FLOAT);
-    texture->setFilter(osg::Texture::MIN_FILTER, osg::Texture::LINEAR_MIPMAP_LINEAR);
-    texture->setFilter(osg::Texture::MAG_FILTER, osg::Texture::LINEAR);
-    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
-    texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
-    unsigned layer = 0;
-    for (const Emitter& light : lights)
-        if (light.picture) texture->setImage(layer++, new osg::Image(light.picture->relative()));
-    return texture;
 }
 
 }  // namespace
@@ -200,17 +166,48 @@ void AreaFilterPass::setup(PassBuilder& b, FrameContext&)
     filterColumns(b, "area row sums", "area row places", b.create("area visibility"));
 }
 
+Requirement LightTotalsPass::require(const FrameContext& c) const
+{
+    Requirement cuts = requireReceivers(c, requireLights(c));
+    cuts.unless(!areMany(c), "few area lights");
+    cuts.unless(!needsCuts(c), "points stand for the area lights");
+    return cuts.because("what one of 2 x 2 pixels gets of " + counted(c.facts.areaLights, "area light"));
+}
+
+void LightTotalsPass::setup(PassBuilder& b, FrameContext& c)
+{
+    const osg::Vec3d origin = lightOrigin(c);
+    if (!_tree || _list != c.areaLights || origin != _origin) {
+        _tree = tableTexture(lightTreeImage(c.areaLights, origin));
+        _list = c.areaLights;
+        _origin = origin;
+    }
+    c.lightTree = _tree.get();
+    b.readGBuffer();
+    b.shadowOrigin(origin);
+    b.bind(_tree.get(), "lightTreeMap");
+    b.settings<AreaLightSettings>();
+    TextureDesc quads;
+    quads.format = GL_R32F;
+    quads.half = true;
+    b.write(b.create("light totals", quads));
+}
+
+void LightTotalsPass::dismiss(FrameContext&)
+{
+    _tree = nullptr;
+    _list.clear();
+}
+
 Requirement AreaLightsPass::require(const FrameContext& c) const
 {
-    return requireReceivers(c, requireLights(c))
-        .because(counted(c.facts.areaLights, "area light") +
-                 (pointsStandForThem(c) ? ", for which their points stand" : ", each by its closed form"));
+    return requireReceivers(c, requireLights(c)).because(counted(c.facts.areaLights, "area light") + howLit(c));
 }
 
 osg::Texture2D* AreaLightsPass::lightTexture(const std::vector<Emitter>& lights, const osg::Vec3d& origin)
 {
     if (_lights && lights == _list && origin == _origin) return _lights.get();
-    _lights = tableTexture(lightImage(lights, origin));
+    _lights = tableTexture(areaLightImage(lights, origin));
     _pictures = nullptr;
     _list = lights;
     _origin = origin;
@@ -219,7 +216,7 @@ osg::Texture2D* AreaLightsPass::lightTexture(const std::vector<Emitter>& lights,
 
 void AreaLightsPass::setup(PassBuilder& b, FrameContext& c)
 {
-    const osg::Vec3d origin = c.emitterMaps ? c.shownEmitterMaps()->origin() : c.areaLights.front().center;
+    const osg::Vec3d origin = lightOrigin(c);
     b.readGBuffer();
     readLobes(b, c);
     b.bind(lightTexture(c.areaLights, origin), "areaLightMap");
@@ -234,10 +231,15 @@ void AreaLightsPass::setup(PassBuilder& b, FrameContext& c)
     if (pointsStandForThem(c)) {
         b.define("HAS_AREA_POINTS");
         b.bind(c.shownEmitterPoints(), "emitterPointMap");
+    } else if (needsCuts(c)) {
+        b.define("HAS_LIGHT_CUTS");
+        b.bind(c.lightTree, "lightTreeMap");
+        b.read(b.find("light totals"), "lightTotalMap");
+        b.settings<AreaLightSettings>();
     }
     // Where surfaces have no lobes, the points' shadows have the colours.
     if (hasPictures(c) && (lightsLobes(c) || !b.find("area visibility").valid())) {
-        if (!_pictures) _pictures = pictureTexture(c.areaLights);
+        if (!_pictures) _pictures = areaPictureTexture(c.areaLights);
         b.define("HAS_AREA_PICTURES");
         b.bind(_pictures.get(), "areaPictureMap");
     }

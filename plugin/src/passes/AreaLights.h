@@ -64,6 +64,21 @@ class OSGENVLIGHT_EXPORT AreaFilterPass : public RenderPass
     const osg::ref_ptr<osg::Uniform> _cells = new osg::Uniform("filterCells", 1);
 };
 
+/** What surfaces get of many lights, roughly: what is left out of the cuts through their tree is measured by it. */
+class OSGENVLIGHT_EXPORT LightTotalsPass : public RenderPass
+{
+  public:
+    const char* name() const override { return "lighttotals"; }
+    Requirement require(const FrameContext& context) const override;
+    void setup(PassBuilder& builder, FrameContext& context) override;
+    void dismiss(FrameContext&) override;
+
+  private:
+    osg::ref_ptr<osg::Texture2D> _tree;
+    std::vector<Emitter> _list;  // that it shows, about which origin
+    osg::Vec3d _origin;
+};
+
 /** Adds what surfaces reflect of the area lights to the G-buffer's emission: bounce and still views then have it too. */
 class OSGENVLIGHT_EXPORT AreaLightsPass : public RenderPass
 {

@@ -23,6 +23,7 @@ namespace osgEnvLight
 //   row sums, row places                the same, filtered along rows
 //   occlusion                           their filtered ratio
 //   area sums, area places, area row sums, area row places   the same of the area lights' points
+//   light totals                        what 2x2 pixels receive of many area lights, roughly
 //   area visibility                     the filtered ratio of these, of the diffuse layer and, alpha, of the lobe
 //   sun points 0 .. 3                   what a pixel's own points see of the suns
 //   sun visibility 0 and 1, penumbrae   how much a pixel sees of them, and the marks of those that must look closer

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// The area lights as a tree of clusters, about the emitter points' origin. A walk through it takes of the clusters those that differ from
+// their lights by no more than a share of what the receiver gets of all.
+#ifndef PASS_LIGHTCUTS_GLSL
+#define PASS_LIGHTCUTS_GLSL
+
+#include "lib/lightcut.glsl"
+#include "lib/limits.glsl"
+#include "lib/octahedral.glsl"
+
+uniform sampler2D lightTreeMap; // CLUSTER_ROWS texels above each other are a cluster: place, number of the one after it and all that is in
+                                // it, or of a leaf -1 - 2 times its light's number, 1 less of the light's back; reach, spread; power, axis
+uniform float lightCutError;
+// The share of light from there that the diffuse layer sends to the eye. Who includes this defines it.
+vec3 diffuseShare(vec3 toLight);
+
+// As AREA_FAR of pass/arealights.glsl.
+const float CUT_FAR = 10.0;
+// No light.
+const int NO_LEAF = -1;
+
+struct LightNode {
+    LightCluster cluster;
+    vec3 power;  // in colours
+    int next;
+    int leaf;  // twice its light's number, 1 more for the light's back; NO_LEAF
+};
+
+vec4 clusterTexel(int i, int row)
+{
+    return texelFetch(lightTreeMap, ivec2(i % LIGHT_COLUMNS, i / LIGHT_COLUMNS * CLUSTER_ROWS + row), 0);
+}
+
+LightNode lightNode(int i, vec3 point)
+{
+    LightNode node;
+    vec4 place = clusterTexel(i, 0);
+    vec4 reach = clusterTexel(i, 1);
+    vec4 power = clusterTexel(i, 2);
+    node.cluster.place = place.xyz - point;
+    node.cluster.reach = reach.xyz;
+    node.cluster.axis = unpackDirection(power.w);
+    node.cluster.spread = reach.w;
+    node.cluster.power = dot(power.rgb, vec3(1.0 / 3.0));
+    node.power = power.rgb;
+    int code = int(place.w);
+    node.next = code < 0 ? i + 1 : code;
+    node.leaf = max(-1 - code, NO_LEAF);
+    return node;
+}
+
+struct LightWalk {
+    int at;       // the next cluster
+    int end;
+    float limit;  // of each cluster's error
+    bool isDiffuse;
+    vec3 sent;    // by those that it took
+    int leaf;     // that is too near to be taken as a point; NO_LEAF: the walk is at its end
+};
+
+// How many clusters there are: the first holds all.
+int lightTreeEnd()
+{
+    float code = clusterTexel(0, 0).w;
+    return code < 0.0 ? 1 : int(code);
+}
+
+// What all of them send, mean of the colours, roughly: clusters count that are no larger than they are far, and lights as if they were
+// blurred.
+float roughlySent(vec3 point, LightReceiver r, int end)
+{
+    float sum = 0.0;
+    int at = 0;
+    while (at < end) {
+        LightNode node = lightNode(at, point);
+        float size = dot(node.cluster.reach, node.cluster.reach);
+        bool taken = node.leaf != NO_LEAF || size <= dot(node.cluster.place, node.cluster.place);
+        if (taken) sum += node.cluster.power * clusterKernel(r, node.cluster, size);
+        at = taken ? node.next : at + 1;
+    }
+    return sum;
+}
+
+// What the diffuse layer of a surface of unit normal n is.
+LightReceiver diffuseReceiver(vec3 n)
+{
+    return LightReceiver(n, n, mat3(1.0), INV_PI);
+}
+
+// total: of what all lights send, about
+LightWalk beginWalk(float total, bool isDiffuse)
+{
+    return LightWalk(0, lightTreeEnd(), lightCutError * total, isDiffuse, vec3(0.0), NO_LEAF);
+}
+
+// As a point such a leaf is off by a third of the square of its size over its distance at most.
+bool isFarLeaf(LightNode node, vec3 n)
+{
+    float square = dot(node.cluster.reach, node.cluster.reach);
+    float height = dot(n, node.cluster.place);
+    return node.leaf != NO_LEAF && CUT_FAR * CUT_FAR * square < dot(node.cluster.place, node.cluster.place) && height > 0.0 &&
+           height * height > square;
+}
+
+// On to the next light that is too near, or to the end.
+LightWalk walkOn(LightWalk w, vec3 point, LightReceiver r)
+{
+    w.leaf = NO_LEAF;
+    while (w.at < w.end && w.leaf == NO_LEAF) {
+        LightNode node = lightNode(w.at, point);
+        float kernel = clusterKernel(r, node.cluster, 0.0);
+        bool taken = clusterError(clusterRange(r, node.cluster), node.cluster.power * kernel) <= w.limit;
+        if (w.isDiffuse) taken = taken || isFarLeaf(node, r.n);
+        vec3 sent = node.power * kernel;
+        if (w.isDiffuse) sent *= diffuseShare(node.cluster.place);
+        if (taken)
+            w.sent += sent;
+        else
+            w.leaf = node.leaf;
+        w.at = taken || node.leaf != NO_LEAF ? node.next : w.at + 1;
+    }
+    return w;
+}
+
+#endif
