@@ -94,8 +94,8 @@ LightReceiver lobeReceiver(Receiver r, Ltc lobe)
 }
 #endif
 
-// What a lobe of GGX about the unit normal n sends towards v, both in the world, over its albedo.
-vec3 throughLobe(vec3 point, vec3 n, vec3 v, float roughness)
+// What a lobe of GGX about the unit normal n sends towards v, both in the world, over its albedo. seen: the share that it sees of lights.
+vec3 throughLobe(vec3 point, vec3 n, vec3 v, float roughness, float seen)
 {
 #ifdef HAS_AREA_POINTS
     roughness = lightRoughness(roughness);
@@ -118,10 +118,10 @@ vec3 throughLobe(vec3 point, vec3 n, vec3 v, float roughness)
     LightWalk w = walkOn(beginWalk(roughlySent(point, receiver, lightTreeEnd()), false), point, receiver);
     while (w.leaf != NO_LEAF) {
         AreaLight light;
-        if (standsBefore(w, r, light)) sum += intoLobe(light, r, lobe);
+        if (standsBefore(w, r, light)) w = withSent(w, w.leaf, intoLobe(light, r, lobe), vec3(1.0));
         w = walkOn(w, point, receiver);
     }
-    sum += w.sent;
+    return arriving(w, vec3(seen));
 #else
     int count = textureSize(areaLightMap, 0).x;
     for (int i = 0; i < count; ++i) {
@@ -129,17 +129,17 @@ vec3 throughLobe(vec3 point, vec3 n, vec3 v, float roughness)
         if (isLitBy(light, n)) sum += intoLobe(light, r, lobe);
     }
 #endif
-    return sum;
+    return seen * sum;
 }
 
-vec3 reflected(ivec2 p, Bsdf b, vec3 point, vec3 n, vec3 v)
+vec3 reflected(ivec2 p, Bsdf b, vec3 point, vec3 n, vec3 v, float seen)
 {
     vec3 sum = vec3(0.0);
-    if (b.brdf != BRDF_LAMBERT) sum = b.reflected * throughLobe(point, n, v, evenRoughness(b));
+    if (b.brdf != BRDF_LAMBERT) sum = b.reflected * throughLobe(point, n, v, evenRoughness(b), seen);
 #ifdef HAS_COATS
     if (isCoated(p)) {
         PixelCoat coat = pixelCoat(p);
-        sum += coat.bsdf.reflected * throughLobe(point, mat3(atlasFromEye) * coat.normal, v, coat.bsdf.roughness);
+        sum += coat.bsdf.reflected * throughLobe(point, mat3(atlasFromEye) * coat.normal, v, coat.bsdf.roughness, seen);
     }
 #endif
     return sum;
@@ -178,8 +178,8 @@ float lightTotal(ivec2 p)
 }
 #endif
 
-// What the diffuse layer of that albedo reflects.
-vec3 diffused(ivec2 p, vec3 albedo, vec3 point, vec3 n)
+// What the diffuse layer of that albedo reflects. seen: the share that it sees of lights.
+vec3 diffused(ivec2 p, vec3 albedo, vec3 point, vec3 n, vec3 seen)
 {
 #ifdef HAS_ROUGH_DIFFUSE
     pixel = p;
@@ -202,10 +202,10 @@ vec3 diffused(ivec2 p, vec3 albedo, vec3 point, vec3 n)
     LightWalk w = walkOn(beginWalk(lightTotal(p), true), point, receiver);
     while (w.leaf != NO_LEAF) {
         AreaLight light;
-        if (standsBefore(w, r, light)) sum += received(light, r) * diffuseShare(light.center);
+        if (standsBefore(w, r, light)) w = withSent(w, w.leaf, received(light, r), diffuseShare(light.center));
         w = walkOn(w, point, receiver);
     }
-    sum += w.sent;
+    return arriving(w, seen);
 #else
     int count = textureSize(areaLightMap, 0).x;
     for (int i = 0; i < count; ++i) {
@@ -214,7 +214,7 @@ vec3 diffused(ivec2 p, vec3 albedo, vec3 point, vec3 n)
     }
 #endif
 #endif
-    return sum;
+    return seen * sum;
 }
 
 void main()
@@ -230,11 +230,11 @@ void main()
     Bsdf b = pixelBsdf(p, lobeView(p, eyeNormal));
     added = vec4(0.0);
 #ifdef HAS_DIFFUSE
-    added.rgb += seen.rgb * diffused(p, pixelAlbedo(p) * b.body, point, n);
+    added.rgb += diffused(p, pixelAlbedo(p) * b.body, point, n, seen.rgb);
 #endif
 #ifdef HAS_LOBES
     vec3 v = mat3(atlasFromEye) * -viewRay(inverseProjection, pixelNdc(p));
-    added.rgb += seen.a * reflected(p, b, point, n, v);
+    added.rgb += reflected(p, b, point, n, v, seen.a);
 #endif
     added.rgb = min(added.rgb * exp2(-emittedStops), vec3(MOST));  // in the units of the emission's target
 }

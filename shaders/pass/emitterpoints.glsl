@@ -8,7 +8,8 @@
 
 uniform sampler2D emitterMaps;
 uniform sampler2D emitterPointMap; // as pass/pointmap.glsl says, and beside these the area of the point's part; its normal; its radiance
-                                   // times the area; the scale of sums; its power if the light were even, 1 if the light is round
+                                   // times the area; the scale of sums; its power if the light were even, half the
+                                   // width of its map's widest window, negative if the light is round
 
 struct EmitterPoint {
     vec3 position;
@@ -60,8 +61,9 @@ float emitterSees(EmitterPoint e, vec3 p, vec3 n)
     if (e.map.tangent <= 0.0) return 1.0;
     PointMapView v = pointMapView(emitterPointMap, e.index, e.map, p, n);
     if (v.place.z <= 0.0) {
-        bool grazes = max(abs(v.position.x), abs(v.position.y)) > EMITTER_MAP_TANGENT * v.position.z;
-        return grazes && texelFetch(emitterPointMap, ivec2(e.index, 7), 0).a > 0.5 ? -1.0 : 1.0;
+        float widest = texelFetch(emitterPointMap, ivec2(e.index, 7), 0).a;
+        bool grazes = max(abs(v.position.x), abs(v.position.y)) > abs(widest) * v.position.z;
+        return grazes && widest < 0.0 ? -1.0 : 1.0;
     }
     vec2 xy = v.place.xy;
     return emitterMapSees(emitterMaps, e.map, v.place, emitterMapRise(e.map, v.position, v.normal, floor(xy) + 0.5 - xy));

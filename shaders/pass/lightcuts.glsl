@@ -3,6 +3,7 @@
 // their lights by no more than a share of what the receiver gets of all.
 #ifndef PASS_LIGHTCUTS_GLSL
 #define PASS_LIGHTCUTS_GLSL
+#pragma import_defines(HAS_CHOSEN_POINTS)
 
 #include "lib/lightcut.glsl"
 #include "lib/limits.glsl"
@@ -11,11 +12,17 @@
 uniform sampler2D lightTreeMap; // CLUSTER_ROWS texels above each other are a cluster: place, number of the one after it and all that is in
                                 // it, or of a leaf -1 - 2 times its light's number, 1 less of the light's back; reach, spread; power, axis
 uniform float lightCutError;
+#ifdef HAS_CHOSEN_POINTS
+uniform sampler2D pointedLightMap;  // by leaf: 1 if points of it have shadow maps
+#endif
 // The share of light from there that the diffuse layer sends to the eye. Who includes this defines it.
 vec3 diffuseShare(vec3 toLight);
 
 // As AREA_FAR of pass/arealights.glsl.
 const float CUT_FAR = 10.0;
+// The share of all light from which on a light without points is not dimmed by what hides others: mostly it is near. Pictures from above
+// a city differ from the truth by .0115, .0113, .0117 with .1, .2, .4 (mean), and by .021 without this.
+const float MUCH = 0.2;
 // No light.
 const int NO_LEAF = -1;
 
@@ -52,9 +59,10 @@ LightNode lightNode(int i, vec3 point)
 struct LightWalk {
     int at;       // the next cluster
     int end;
-    float limit;  // of each cluster's error
+    float total;  // of what all lights send, about
     bool isDiffuse;
     vec3 sent;    // by those that it took
+    vec3 alone;   // of this by lights that it sees, as far as one knows
     int leaf;     // that is too near to be taken as a point; NO_LEAF: the walk is at its end
 };
 
@@ -90,7 +98,7 @@ LightReceiver diffuseReceiver(vec3 n)
 // total: of what all lights send, about
 LightWalk beginWalk(float total, bool isDiffuse)
 {
-    return LightWalk(0, lightTreeEnd(), lightCutError * total, isDiffuse, vec3(0.0), NO_LEAF);
+    return LightWalk(0, lightTreeEnd(), total, isDiffuse, vec3(0.0), vec3(0.0), NO_LEAF);
 }
 
 // As a point such a leaf is off by a third of the square of its size over its distance at most.
@@ -102,6 +110,30 @@ bool isFarLeaf(LightNode node, vec3 n)
            height * height > square;
 }
 
+// Whether a light sends much and has no points.
+bool isAlone(LightWalk w, int leaf, vec3 sent)
+{
+#ifdef HAS_CHOSEN_POINTS
+    if (leaf == NO_LEAF || dot(sent, vec3(1.0 / 3.0)) < MUCH * w.total) return false;
+    return texelFetch(pointedLightMap, ivec2(leaf % LIGHT_COLUMNS, leaf / LIGHT_COLUMNS), 0).r == 0.0;
+#else
+    return false;
+#endif
+}
+
+LightWalk withSent(LightWalk w, int leaf, vec3 sent, vec3 share)
+{
+    w.sent += sent * share;
+    if (isAlone(w, leaf, sent)) w.alone += sent * share;
+    return w;
+}
+
+// What arrives of it, by the share that the surface sees of what the points send.
+vec3 arriving(LightWalk w, vec3 seen)
+{
+    return seen * (w.sent - w.alone) + w.alone;
+}
+
 // On to the next light that is too near, or to the end.
 LightWalk walkOn(LightWalk w, vec3 point, LightReceiver r)
 {
@@ -109,12 +141,11 @@ LightWalk walkOn(LightWalk w, vec3 point, LightReceiver r)
     while (w.at < w.end && w.leaf == NO_LEAF) {
         LightNode node = lightNode(w.at, point);
         float kernel = clusterKernel(r, node.cluster, 0.0);
-        bool taken = clusterError(clusterRange(r, node.cluster), node.cluster.power * kernel) <= w.limit;
+        bool taken = clusterError(clusterRange(r, node.cluster), node.cluster.power * kernel) <= lightCutError * w.total;
         if (w.isDiffuse) taken = taken || isFarLeaf(node, r.n);
-        vec3 sent = node.power * kernel;
-        if (w.isDiffuse) sent *= diffuseShare(node.cluster.place);
+        vec3 share = w.isDiffuse ? diffuseShare(node.cluster.place) : vec3(1.0);
         if (taken)
-            w.sent += sent;
+            w = withSent(w, node.leaf, node.power * kernel, share);
         else
             w.leaf = node.leaf;
         w.at = taken || node.leaf != NO_LEAF ? node.next : w.at + 1;

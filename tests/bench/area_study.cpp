@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far shadows of area lights are from the truth, in five scenes: tRMSE in % beside direct light traced by that many samples,
+// How far shadows of area lights are from the truth, in eight scenes: tRMSE in % beside direct light traced by that many samples,
 // without shadows and by the number of points on the lights; the table of area-lights.md 2 B.
 //   envlight_area_study [SCENE...] [NAME=VALUE...] [--points N]... [--samples N] [--pictures FOLDER] [--open]
 //     NAME=VALUE  a setting of the nodekit
@@ -80,7 +80,7 @@ std::vector<double> measure(const std::string& scene, const Options& options)
     if (!options.pictures.empty()) write(truth.picture, stops, options.pictures + "/" + scene + "-truth.png");
     std::vector<double> errors;
     const auto add = [&](const std::string& name) {
-        const Picture picture = renderer.render(lit, 2);
+        const Picture picture = renderer.render(lit, suite::areaFrames);
         errors.push_back(osgEnvLight::compare(picture, truth.picture, truth.error, truth.mask).tRmse);
         if (!options.pictures.empty()) write(picture, stops, options.pictures + "/" + scene + "-" + name + ".png");
     };

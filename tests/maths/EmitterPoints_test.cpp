@@ -155,7 +155,7 @@ TEST(EmitterPoints, OfMoreLightsThanPointsStandForNeighbours)
         EXPECT_NEAR(20.0 / 64.0, p.power[0], 1e-12);
     }
     EXPECT_NEAR(20.0, all, 1e-9);
-    EXPECT_NEAR(5.0, left, 20.0 / 64.0);
+    EXPECT_NEAR(5.0, left, 20.0 / 64.0 + 1e-9);
 }
 
 TEST(EmitterPoints, OfNothingAreDark)

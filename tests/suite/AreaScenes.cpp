@@ -17,7 +17,7 @@ using osgEnvLight::Settings;
 namespace suite
 {
 
-const char* const areaScenes[7] = {"table", "room", "grille", "strips", "many", "stripes", "screen"};
+const char* const areaScenes[8] = {"table", "room", "grille", "strips", "many", "city", "stripes", "screen"};
 
 namespace
 {
@@ -178,6 +178,37 @@ void addMany(LitScene& lit, SceneRenderer& renderer)
     renderer.lookAt(Vec3d(3.6, -3.7, 2.3), Vec3d(-0.4, 0.3, 0.5), Vec3d(0, 0, 1), 60);
 }
 
+// 64 houses, lamps along the streets between them and signs on their walls: 832 lights, seen from where one walks.
+void addCity(LitScene& lit, SceneRenderer& renderer)
+{
+    const int side = 8;
+    const double pitch = 12, house = 7;
+    lit.addChild(makeQuad(Vec3d(-10, -10, 0), Vec3d(side * pitch + 20, 0, 0), Vec3d(0, side * pitch + 20, 0)));
+    const auto lamp = [&](double x, double y) {
+        addLight(lit, AreaLight::DISC, Vec3d(x, y, 4), Vec3d(0.12, 0, 0), Vec3d(0, -0.12, 0), osg::Vec3f(900, 700, 400));
+        lit.addChild(makeBox(Vec3d(x - 0.05, y + 0.15, 0), Vec3d(x + 0.05, y + 0.25, 4)));
+    };
+    for (int i = 0; i < side * side; ++i) {
+        const double x = i % side * pitch, y = i / side * pitch, height = 4 + 8 * std::fmod(i * 0.618, 1.0);
+        lit.addChild(makeBox(Vec3d(x, y, 0), Vec3d(x + house, y + house, height)));
+        for (int k = 0; k < 3; ++k) {
+            lamp(x + 1 + 3 * k, y - 1);
+            lamp(x - 1, y + 2.5 + 3 * k);
+        }
+        for (int k = 0; k < 7; ++k) {
+            const double along = 0.6 + 0.85 * k, up = 1 + 2.5 * std::fmod((i + k) * 0.755, 1.0), hue = std::fmod(k * 0.618, 1.0);
+            const osg::Vec3f radiance(float(3 + 12 * hue), 4, float(15 - 12 * hue));
+            if (k % 2)
+                addLight(lit, AreaLight::RECTANGLE, Vec3d(x + along, y - 0.05, up), Vec3d(0.4, 0, 0), Vec3d(0, 0, 0.25),
+                         radiance);
+            else
+                addLight(lit, AreaLight::RECTANGLE, Vec3d(x - 0.05, y + along, up), Vec3d(0, -0.4, 0), Vec3d(0, 0, 0.25),
+                         radiance);
+        }
+    }
+    renderer.lookAt(Vec3d(45.5, 20, 1.7), Vec3d(44.5, 40, 2.5), Vec3d(0, 0, 1), 60);
+}
+
 }  // namespace
 
 osg::ref_ptr<LitScene> makeAreaScene(const std::string& name, SceneRenderer& renderer)
@@ -196,6 +227,8 @@ osg::ref_ptr<LitScene> makeAreaScene(const std::string& name, SceneRenderer& ren
         addStrips(*lit, renderer);
     else if (name == "many")
         addMany(*lit, renderer);
+    else if (name == "city")
+        addCity(*lit, renderer);
     else if (name == "stripes")
         addTable(*lit, renderer);
     else if (name == "screen")

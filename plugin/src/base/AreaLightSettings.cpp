@@ -11,7 +11,7 @@ std::vector<SettingsProperty> AreaLightSettings::properties()
     return {
         number("areaPoints", &S::areaPoints, 16, 1024, "points",
                "points on all area lights together, each with a shadow map, a sixteenth of them in each pixel; rounded up to a "
-               "multiple of 16"),
+               "multiple of 16, and up to twice as many where there are more lights"),
         choice("manyLights", &S::manyLights, {"points", "lightcuts"},
                "what stands for more than eight area lights: the points that have shadow maps, or in each pixel a cut through a "
                "tree of "

@@ -28,7 +28,7 @@ class CullVisitor;
 namespace osgEnvLight
 {
 
-class DepthProbe;
+struct ProbedPoints;
 struct Caustics;
 
 /** How the view saw the frame before. */
@@ -75,13 +75,14 @@ struct FrameContext {
     // Set in update(), by the passes that own them.
     ShadowAtlas* skyMaps = nullptr;      // of the map's lights; null: there is no atlas
     ShadowAtlas* nearSkyMaps = nullptr;  // of the same lights, about the view; null: skyMaps are fine enough
-    DepthProbe* probe = nullptr;         // is to measure in this frame what the view shows
+    const ProbedPoints* seen = nullptr;  // what the view shows, where that has been measured since the last frame
     unsigned waitingMaps = 0;            // of the sky, to be drawn in later frames
     IndirectLight* indirect = nullptr;   // by probes; null: there are none
     const Caustics* caustics = nullptr;  // what polished metal reflects of suns and lamps; null: there is nothing of that kind
     unsigned waitingBounces = 0;         // further frames would change what surfaces send each other
     EmitterMaps* emitterMaps = nullptr;  // of the area lights' points; null: nothing hides them
     osg::Texture2D* emitterPoints = nullptr;  // EmitterMaps::pointImage()
+    osg::Texture2D* pointedLights = nullptr;  // which area lights have points; null: all
     osg::Texture2D* lightTree = nullptr;      // of many area lights
     EmitterMaps* sceneLightMaps = nullptr;    // of the application's lights; null: nothing hides them
     osg::Texture2D* sceneLightPoints = nullptr;

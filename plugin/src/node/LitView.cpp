@@ -13,6 +13,7 @@
 #include "passes/Output.h"
 #include "passes/PixelMarks.h"
 #include "passes/SceneLights.h"
+#include "passes/SeenPoints.h"
 #include "passes/SkyShadows.h"
 #include "passes/Specular.h"
 #include "passes/StillView.h"
@@ -27,6 +28,7 @@ LitView::LitView(Failure* failure, RetiredObjects* retired, SurfaceSorter* sorte
 {
     graph.add(gbufferPass);
     graph.add(new PixelMarksPass);
+    graph.add(new SeenPointsPass);
     graph.add(new SceneLightMapsPass(failure, retired));
     graph.add(new SceneLightsPass);
     graph.add(new AreaMapsPass(failure, retired));
@@ -35,7 +37,6 @@ LitView::LitView(Failure* failure, RetiredObjects* retired, SurfaceSorter* sorte
     graph.add(new AreaFilterPass);
     graph.add(new LightTotalsPass);
     graph.add(new AreaLightsPass);
-    graph.add(new DepthProbePass);
     graph.add(new SkyShadows(failure, retired));
     graph.add(new LinksPass(retired));
     graph.add(new StillView(failure, retired));

@@ -6,6 +6,7 @@
 #include "passes/AreaTables.h"
 #include "passes/Inputs.h"
 #include "passes/Occlusion.h"
+#include "shadow/DepthProbe.h"
 #include "surface/LtcTable.h"
 
 #include <algorithm>
@@ -42,6 +43,13 @@ Requirement requireMaps(const FrameContext& c)
 bool areMany(const FrameContext& c)
 {
     return c.facts.areaLights > mostClosedForms;
+}
+
+// Points that may change to another light in a frame, with their maps: after the view has jumped most of them do, and a few
+// frames are enough.
+unsigned pointsAtOnce(const PointChoice& choice, const FrameContext& c)
+{
+    return std::max(unsigned(c.settings.atlasUpdatesPerFrame), choice.waiting() / 4);
 }
 
 bool pointsStandForThem(const FrameContext& c)
@@ -82,14 +90,33 @@ bool hasPictures(const FrameContext& c)
 Requirement AreaMapsPass::require(const FrameContext& c) const
 {
     const std::string side = std::to_string(c.settings.areaMapSize);
-    return requireMaps(c).because(counted(areaPointsOf(c.settings), "map") + " of " + side + " x " + side + " of " +
+    return requireMaps(c).because(counted(areaPointsOf(c), "map") + " of " + side + " x " + side + " of " +
                                   counted(c.facts.casters, "drawable") + ", from points on " +
                                   counted(c.facts.areaLights, "area light"));
 }
 
+Requirement requireChosenPoints(const FrameContext& c)
+{
+    Requirement choice = requireMaps(c);
+    return choice.unless(countLitSides(c.areaLights) <= areaPointsOf(c), "all area lights have points");
+}
+
 void AreaMapsPass::update(FrameContext& c)
 {
-    c.emitterMaps = &_maps.update(c, emitterPoints(c.areaLights, areaPointsOf(c.settings)), unsigned(c.settings.areaMapSize));
+    const unsigned count = areaPointsOf(c);
+    const auto size = unsigned(c.settings.areaMapSize);
+    if (requireChosenPoints(c).needed) {
+        const bool all = c.settings.regeneration == Settings::IMMEDIATE;
+        const std::vector<EmitterPoint>& points =
+            _choice.update(c.areaLights, count, c.seen ? &c.seen->points : nullptr, all ? count : pointsAtOnce(_choice, c));
+        c.emitterMaps = &_maps.update(c, points, size, _choice.changed() > unsigned(c.settings.atlasUpdatesPerFrame));
+        c.waitingMaps += _choice.waiting();
+        if (!_pointed || _choice.changed() > 0) _pointed = tableTexture(pointedLightImage(_choice.pointedSides()));
+        c.pointedLights = _pointed.get();
+    } else {
+        forgetChoice();
+        c.emitterMaps = &_maps.update(c, emitterPoints(c.areaLights, count), size);
+    }
     c.emitterPoints = _maps.points();
 }
 
@@ -100,7 +127,10 @@ void AreaMapsPass::setup(PassBuilder& b, FrameContext& c)
     _maps.draw(b, c, name(), name());
     if (!c.still) _stillMaps.drop();
     if (!c.isAccumulating()) return;
-    const std::vector<EmitterPoint> points = emitterPoints(c.areaLights, areaPointsOf(c.settings), c.still->frames());
+    const unsigned count = areaPointsOf(c);
+    const std::vector<EmitterPoint> points = requireChosenPoints(c).needed
+                                                 ? _choice.ofRound(c.areaLights, count, c.still->frames())
+                                                 : emitterPoints(c.areaLights, count, c.still->frames());
     c.stillEmitterMaps = &_stillMaps.update(c, points, unsigned(c.settings.areaMapSize), true);
     c.stillEmitterPoints = _stillMaps.points();
     _stillMaps.draw(b, c, name(), "still areamaps");
@@ -109,7 +139,15 @@ void AreaMapsPass::setup(PassBuilder& b, FrameContext& c)
 void AreaMapsPass::dismiss(FrameContext& c)
 {
     _stillMaps.drop();
-    if (!(c.showsNothing && c.facts.areaLights > 0 && Decisions::wantsEmitterMaps(c.settings))) _maps.drop();
+    if (c.showsNothing && c.facts.areaLights > 0 && Decisions::wantsEmitterMaps(c.settings)) return;
+    _maps.drop();
+    forgetChoice();
+}
+
+void AreaMapsPass::forgetChoice()
+{
+    _choice = {};
+    _pointed = nullptr;
 }
 
 void AreaMapsPass::resizeGLObjectBuffers(unsigned maximum)
@@ -127,7 +165,7 @@ void AreaMapsPass::releaseGLObjects(osg::State* state) const
 Requirement AreaShadowPass::require(const FrameContext& c) const
 {
     return requireReceivers(c, requireMaps(c))
-        .because(std::to_string(areaPointsOf(c.settings) / limits::LIGHT_GROUPS) + " points a pixel, each asking its map");
+        .because(std::to_string(areaPointsOf(c) / limits::LIGHT_GROUPS) + " points a pixel, each asking its map");
 }
 
 void AreaShadowPass::setup(PassBuilder& b, FrameContext& c)
@@ -235,6 +273,11 @@ void AreaLightsPass::setup(PassBuilder& b, FrameContext& c)
         b.define("HAS_LIGHT_CUTS");
         b.bind(c.lightTree, "lightTreeMap");
         b.read(b.find("light totals"), "lightTotalMap");
+        // A still view's average has all lights' points in turn.
+        if (c.pointedLights && b.find("area visibility").valid() && !c.isAccumulating()) {
+            b.define("HAS_CHOSEN_POINTS");
+            b.bind(c.pointedLights, "pointedLightMap");
+        }
         b.settings<AreaLightSettings>();
     }
     // Where surfaces have no lobes, the points' shadows have the colours.

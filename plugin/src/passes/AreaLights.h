@@ -3,6 +3,7 @@
 
 #include "frame/RenderPass.h"
 #include "passes/MapRefresh.h"
+#include "shadow/PointChoice.h"
 
 #include <osg/Texture2DArray>
 
@@ -26,8 +27,15 @@ class OSGENVLIGHT_EXPORT AreaMapsPass : public MapsPass<EmitterMapsOwner>
     void releaseGLObjects(osg::State* state) const override;
 
   private:
+    void forgetChoice();
+
     EmitterMapsOwner _stillMaps;
+    PointChoice _choice;                    // of many lights
+    osg::ref_ptr<osg::Texture2D> _pointed;  // which these are
 };
+
+/** There are more area lights than points, so what the view shows decides which have some. */
+Requirement requireChosenPoints(const FrameContext& context);
 
 /** Each pixel of a 4x4 cell asks another sixteenth of these maps. */
 class OSGENVLIGHT_EXPORT AreaShadowPass : public RenderPass

@@ -102,6 +102,16 @@ osg::ref_ptr<osg::Image> lightTreeImage(const std::vector<Emitter>& lights, cons
     return image;
 }
 
+osg::ref_ptr<osg::Image> pointedLightImage(const std::vector<unsigned char>& sides)
+{
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(limits::LIGHT_COLUMNS, int(rowsOf(sides.size(), limits::LIGHT_COLUMNS, 1)), 1, GL_RED, GL_UNSIGNED_BYTE);
+    image->setInternalTextureFormat(GL_R8);
+    std::fill_n(image->data(), image->getTotalSizeInBytes(), static_cast<unsigned char>(0));
+    for (size_t i = 0; i < sides.size(); ++i) image->data()[i] = sides[i] ? 255 : 0;
+    return image;
+}
+
 osg::ref_ptr<osg::Texture2DArray> areaPictureTexture(const std::vector<Emitter>& lights)
 {
     const auto shown = unsigned(std::count_if(lights.begin(), lights.end(), showsPicture));

@@ -4,6 +4,7 @@
 #include <osgEnvLight/Material>
 
 #include "base/Limits.h"
+#include "shadow/LitSides.h"
 
 #include "glsl.h"
 
@@ -97,14 +98,19 @@ bool readFog(PassBuilder& b, FrameContext& c)
     return true;
 }
 
+// Of areaPoints, where lights are many. From above a city of 1000 lamps, 1, 2 and 4 times 64 differ from the truth by .42, .36
+// and .35 (RMS), in 26, 42 and 75 ms.
+const int mostPointsOver = 2;
+
 unsigned wholeGroups(int count)
 {
     return (unsigned(count) + limits::LIGHT_GROUPS - 1) / limits::LIGHT_GROUPS * limits::LIGHT_GROUPS;
 }
 
-unsigned areaPointsOf(const Settings& settings)
+unsigned areaPointsOf(const FrameContext& c)
 {
-    return wholeGroups(settings.areaPoints);
+    const auto sides = int(countLitSides(c.areaLights));
+    return wholeGroups(std::clamp(sides, c.settings.areaPoints, mostPointsOver * c.settings.areaPoints));
 }
 
 void readEmitterPoints(PassBuilder& b, const EmitterMaps& maps, osg::Texture2D* points)

@@ -63,8 +63,8 @@ bool readSunVisibility(PassBuilder& builder);
 void readSkyMaps(PassBuilder& builder, FrameContext& context, const std::string& name, ShadowAtlas& maps, ShadowAtlas* near);
 /** A count, rounded up to whole groups of the pixels of a 4x4 cell. */
 unsigned wholeGroups(int count);
-/** How many points area lights have together. */
-unsigned areaPointsOf(const Settings& settings);
+/** How many points area lights have together: where there are more sides that send light than areaPoints, up to twice as many. */
+unsigned areaPointsOf(const FrameContext& context);
 /** The fog. False if what is lit has none. */
 bool readFog(PassBuilder& builder, FrameContext& context);
 /** The area lights' points and their shadow maps. */

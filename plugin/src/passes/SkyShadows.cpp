@@ -34,7 +34,18 @@ unsigned mapsOf(const FrameContext& c, const ShadowAtlas& maps, unsigned budget)
     return maps.complete() ? budget : std::max(budget, mapsAtFirst(maps));
 }
 
-// Whether a view may show less of the scene than the largest cascade: the nearest that there may be is less wide in it.
+std::string describeFocus(const osg::BoundingSphered& shown)
+{
+    std::ostringstream out;
+    out.imbue(std::locale::classic());
+    out.precision(3);
+    out << ", and as many of the view's neighbourhood, " << 2.0 * shown.radius() << " across";
+    return out.str();
+}
+
+}  // namespace
+
+// It shows less than the largest cascade: the nearest that there may be is less wide in it.
 bool mayShowLittle(const FrameContext& c)
 {
     const osg::BoundingBoxd& box = c.casters.bound;
@@ -47,63 +58,9 @@ bool mayShowLittle(const FrameContext& c)
     return (view.at(1, 1, depth) - view.at(-1, -1, depth)).length() < NearCascade::largest * diagonal(box);
 }
 
-std::string describeFocus(const osg::BoundingSphered& shown)
-{
-    std::ostringstream out;
-    out.imbue(std::locale::classic());
-    out.precision(3);
-    out << ", and as many of the view's neighbourhood, " << 2.0 * shown.radius() << " across";
-    return out.str();
-}
-
-// Draws the points and reads them back.
-class ProbeTriangle : public FullScreen
-{
-  public:
-    using FullScreen::FullScreen;
-
-    void drawImplementation(osg::RenderInfo& renderInfo) const override
-    {
-        FullScreen::drawImplementation(renderInfo);
-        probe->exchange(*renderInfo.getState());
-    }
-
-    /** Written at cull by the frame that owns this. */
-    osg::ref_ptr<DepthProbe> probe;
-};
-
-}  // namespace
-
 Requirement SkyShadows::require(const FrameContext& c) const
 {
     return c.decisions.atlas;
-}
-
-// Find out how much of the scene the view shows: whether there is a part of it that is worth finer maps.
-bool SkyShadows::followView(FrameContext& c, const ShadowAtlas& all)
-{
-    if (!mayShowLittle(c)) {
-        forgetView();
-        return false;
-    }
-    if (!_probe) _probe = new DepthProbe;
-    const osg::Matrixd& projection = *c.cv.getProjectionMatrix();
-    if (_worldFromEye != c.worldFromEye || !sameProjection(_projection, projection)) _measuredFrames = 0;
-    _worldFromEye = c.worldFromEye;
-    _projection = projection;
-    const std::optional<ProbedPoints> seen = _probe->take();
-    if (seen) _cascade.follow(*seen, 0.5 * diagonal(c.casters.bound));
-    if (seen && _measuredFrames >= 2 && seen->worldFromEye == c.worldFromEye) _measuredFrames = known;
-    if (_measuredFrames < 2 || all.moved()) c.probe = _probe.get();
-    if (_measuredFrames < known) ++_measuredFrames;
-    return _cascade.sphere().valid();
-}
-
-void SkyShadows::forgetView()
-{
-    _cascade = {};
-    _probe = nullptr;
-    _measuredFrames = 0;
 }
 
 void SkyShadows::update(FrameContext& c)
@@ -112,7 +69,11 @@ void SkyShadows::update(FrameContext& c)
     const auto size = unsigned(c.settings.atlasSize);
     ShadowAtlas& all = _all.make(lights, size);
     all.setCasters(c.casters);
-    const bool needsNear = followView(c, all);
+    if (!mayShowLittle(c))
+        _cascade = {};
+    else if (c.seen)
+        _cascade.follow(*c.seen, 0.5 * diagonal(c.casters.bound));
+    const bool needsNear = _cascade.sphere().valid();
     if (!needsNear) _near.drop();
     ShadowAtlas* near = needsNear ? &_near.make(lights, size) : nullptr;
     const LightList list = c.textures->occlusionList(lights);
@@ -121,7 +82,7 @@ void SkyShadows::update(FrameContext& c)
     const unsigned share = near && near->waiting() > 0 ? (budget + 1) / 2 : budget;
     const unsigned drawn = _all.update(c, list, mapsOf(c, all, share));
     c.skyMaps = &all;
-    c.waitingMaps = all.waiting();
+    c.waitingMaps += all.waiting();
     if (near) {
         near->setFocus(_cascade.sphere());
         near->setCasters(c.casters);
@@ -129,7 +90,6 @@ void SkyShadows::update(FrameContext& c)
         c.nearSkyMaps = near;
         c.waitingMaps += near->waiting();
     }
-    if (_measuredFrames > 0 && _measuredFrames < known) ++c.waitingMaps;
 }
 
 void SkyShadows::setup(PassBuilder& b, FrameContext& c)
@@ -144,37 +104,19 @@ void SkyShadows::dismiss(FrameContext& c)
     if (c.showsNothing && Decisions::wantsAtlas(c.settings)) return;
     _all.drop();
     _near.drop();
-    forgetView();
+    _cascade = {};
 }
 
 void SkyShadows::resizeGLObjectBuffers(unsigned maximum)
 {
     _all.resizeGLObjectBuffers(maximum);
     _near.resizeGLObjectBuffers(maximum);
-    if (_probe) _probe->resizeGLObjectBuffers(maximum);
 }
 
 void SkyShadows::releaseGLObjects(osg::State* state) const
 {
     _all.releaseGLObjects(state);
     _near.releaseGLObjects(state);
-    if (_probe) _probe->releaseGLObjects(state);
-}
-
-Requirement DepthProbePass::require(const FrameContext& c) const
-{
-    Requirement probe = c.decisions.atlas;
-    probe.unless(probe.needed && !mayShowLittle(c), "the view shows most of the scene");
-    return probe.because("measures what the view shows when it moves");
-}
-
-void DepthProbePass::setup(PassBuilder& b, FrameContext& c)
-{
-    if (!c.probe || c.isConverged()) return;
-    b.readGBuffer();
-    b.write(b.create("seen points", {GL_RGBA32F_ARB, DepthProbe::side}));
-    b.triangle([vertices = c.frame.triangle] { return new ProbeTriangle(vertices.get()); },
-               [probe = osg::ref_ptr<DepthProbe>(c.probe)](FullScreen& t) { static_cast<ProbeTriangle&>(t).probe = probe; });
 }
 
 }  // namespace osgEnvLight

@@ -3,7 +3,6 @@
 
 #include "frame/RenderPass.h"
 #include "passes/MapRefresh.h"
-#include "shadow/DepthProbe.h"
 #include "shadow/NearCascade.h"
 
 namespace osgEnvLight
@@ -26,26 +25,11 @@ class OSGENVLIGHT_EXPORT SkyShadows : public RenderPass
     void releaseGLObjects(osg::State* state) const override;
 
   private:
-    bool followView(FrameContext& context, const ShadowAtlas& all);
-    void forgetView();
-
     AtlasOwner _all, _near;
     NearCascade _cascade;
-    osg::ref_ptr<DepthProbe> _probe;
-    osg::Matrixd _worldFromEye, _projection;  // that were last measured
-    unsigned _measuredFrames = 0;             // since, up to known
-    /** The second frame publishes what the first has measured; the third's cull knows it or, where the draw runs behind, the
-     * fourth's. */
-    static constexpr unsigned known = 4;
 };
 
-/** Reads back what a view of a large scene shows, in the frames in which SkyShadows asks for it. */
-class OSGENVLIGHT_EXPORT DepthProbePass : public RenderPass
-{
-  public:
-    const char* name() const override { return "seen"; }
-    Requirement require(const FrameContext& context) const override;
-    void setup(PassBuilder& builder, FrameContext& context) override;
-};
+/** Whether a view may show so little of the scene that finer maps of that part are worth it. */
+bool mayShowLittle(const FrameContext& context);
 
 }  // namespace osgEnvLight

@@ -19,6 +19,8 @@ namespace
 
 // A caster or a light that has moved by more than this, in shares of what casts shadows, makes maps outdated.
 const double movedShare = 1e-4;
+// Of the same, where maps begin that show the most.
+const double leastNear = 1e-5;
 
 }  // namespace
 
@@ -55,9 +57,10 @@ void EmitterMaps::place(Map& map, const EmitterPoint& point) const
 }
 
 // The window about all that casts shadows, within the widest one: a lamp far off has as fine a map as a near one.
-void EmitterMaps::fit(Map& map) const
+void EmitterMaps::fit(Map& map, double nearestOccluder) const
 {
-    const double widest = map.widest, least = glsl::EMITTER_MAP_NEAR * _extent;
+    const double widest = map.widest;
+    const double least = std::clamp(nearestOccluder, leastNear * _extent, glsl::EMITTER_MAP_NEAR * _extent);
     double nearest = 1e300, farthest = 2.0 * least;
     osg::BoundingBoxd seen;  // x, y at distance 1
     for (unsigned i = 0; i < 8 && _box.valid(); ++i) {
@@ -114,6 +117,8 @@ std::vector<ShadowRefresh> EmitterMaps::update(const std::vector<EmitterPoint>& 
         const bool elsewhere = (list[i].position - map.position).length() > movedShare * _extent ||
                                (list[i].normal - map.along).length() > movedShare || list[i].tangent != map.widest;
         map.outdated = map.outdated || elsewhere;
+        if (list[i].lightNumber != map.lightNumber) map.drawn = false;
+        map.lightNumber = list[i].lightNumber;
         if (_moved) map.noteChange(_casters.changed(), _targets.origin, size);
         if (_fitted) map.outdated = true;
         map.age = map.outdated ? map.age + 1 : 0;
@@ -127,7 +132,7 @@ std::vector<ShadowRefresh> EmitterMaps::update(const std::vector<EmitterPoint>& 
     for (size_t k = 0; k < count; ++k) {
         Map& map = _maps[wanted[k].second];
         place(map, list[wanted[k].second]);
-        fit(map);
+        fit(map, list[wanted[k].second].nearest);
         const MapRegion region = map.draw(projection(map), _targets.origin, size);
         refreshes.push_back({wanted[k].second, map.projection, float(2.0 * map.tangent / size), float(map.octaves), region});
     }
@@ -168,7 +173,7 @@ osg::ref_ptr<osg::Image> EmitterMaps::pointImage() const
         writeTexel(*image, i, 3, map.across, -(drawnFrom * map.across));
         writeTexel(*image, i, 4, map.up, -(drawnFrom * map.up));
         writeTexel(*image, i, 5, map.along, -(drawnFrom * map.along));
-        writeTexel(*image, i, 7, point.even, point.isRound ? 1.0 : 0.0);
+        writeTexel(*image, i, 7, point.even, point.isRound ? -point.tangent : point.tangent);
         writeTexel(*image, i, 6, osg::Vec3d(map.window[0], map.window[1], sumScale), map.drawn ? map.tangent : 0.0);
     }
     return image;

@@ -65,9 +65,10 @@ class OSGENVLIGHT_EXPORT EmitterMaps : public osg::Referenced
         osg::Vec2d window;
         double tangent = 1.0;  // half this one's
         double nearest = 1.0, octaves = 1.0;
+        unsigned lightNumber = 0;
     };
     void place(Map& map, const EmitterPoint& point) const;
-    void fit(Map& map) const;
+    void fit(Map& map, double nearestOccluder) const;
     osg::Matrixd projection(const Map& map) const;
     double priority(const Map& map, const EmitterPoint& point) const;
     double scale() const;
