@@ -29,6 +29,8 @@ const std::vector<Sweep>& defaultSweeps()
         {"atlasSize", {"32", "64", "128", "256"}, {}, Sweep::ANY, true},
         {"sunShadowSize", {"256", "512", "1024", "2048"}, {}, Sweep::ANY, false},
         {"areaPoints", {"16", "32", "64", "128", "256"}, {}, Sweep::AREA_LIGHTS, true},
+        {"manyLights", {"points", "lightcuts"}, {}, Sweep::AREA_LIGHTS, false},
+        {"lightCutError", {"0", "0.02", "0.05", "0.1", "0.3", "1"}, {}, Sweep::AREA_LIGHTS, false},
         {"areaMapSize", {"32", "64", "128", "256"}, {}, Sweep::AREA_LIGHTS, false},
         {"nearRadius", {"0", "1", "2", "3", "6"}, {}, Sweep::ANY, false},
         {"nearSlices", {"1", "2", "4"}, {}, Sweep::ANY, false},

@@ -17,6 +17,7 @@ const std::vector<Settings::Preset>& Settings::presets()
           {"antialias", "off"},
           {"sunShadowSize", "512"},
           {"areaPoints", "32"},
+          {"manyLights", "points"},
           {"bounce", "mean"}}},
         {"default", "the knee of error against time", {}},
         {"high",

@@ -109,8 +109,8 @@ unsigned wholeGroups(int count)
 
 unsigned areaPointsOf(const FrameContext& c)
 {
-    const auto sides = int(countLitSides(c.areaLights));
-    return wholeGroups(std::clamp(sides, c.settings.areaPoints, mostPointsOver * c.settings.areaPoints));
+    const int points = c.settings.areaPoints, most = int(Settings::find("areaPoints")->maximum);
+    return wholeGroups(std::clamp(int(countLitSides(c.areaLights)), points, std::min(mostPointsOver * points, most)));
 }
 
 void readEmitterPoints(PassBuilder& b, const EmitterMaps& maps, osg::Texture2D* points)
