@@ -117,7 +117,7 @@ float loneness(LightWalk w, int leaf, vec3 sent)
 {
 #ifdef HAS_CHOSEN_POINTS
     if (leaf == NO_LEAF || texelFetch(pointedLightMap, ivec2(leaf % LIGHT_COLUMNS, leaf / LIGHT_COLUMNS), 0).r > 0.0) return 0.0;
-    return smoothstep(SOME * w.total, MUCH * w.total, dot(sent, vec3(1.0 / 3.0)));
+    return smoothstep(SOME, MUCH, dot(sent, vec3(1.0 / 3.0)) / max(w.total, 1e-30));
 #else
     return 0.0;
 #endif

@@ -72,6 +72,15 @@ class CityWalk : public testing::Test
     const osg::ref_ptr<LitScene> lit;
 };
 
+// No light reaches the roofs.
+TEST_F(CityWalk, RoofsAreBlack)
+{
+    renderer.lookAt(osg::Vec3d(39.5, 39.4, 40), osg::Vec3d(39.5, 39.5, 0), osg::Vec3d(0, 1, 0), 5);
+    const Picture roof = renderer.render(lit, settling);
+    EXPECT_TRUE(roof.finite());
+    EXPECT_EQ(osg::Vec3d(), roof.color(size / 2, size / 2));
+}
+
 // Measured: 1.5 %.
 TEST_F(CityWalk, ShowsWhatAStillViewDoes)
 {

@@ -116,6 +116,20 @@ TEST(PointChoice, LooksWhatLightsThePlaces)
     EXPECT_LT(near, 3u);
 }
 
+// A place on a light, one that none of them sees, and none.
+TEST(PointChoice, KnowsWeightsAtStrangePlaces)
+{
+    const std::vector<Emitter> lights = street();
+    const std::vector<osg::Vec3d> strange[] = {{osg::Vec3d(50, 0, 5)}, {osg::Vec3d(50, 0, 5.1)}, {}};
+    for (const std::vector<osg::Vec3d>& places : strange) {
+        PointChoice choice;
+        double power = 0.0;
+        for (const EmitterPoint& p : choice.update(lights, count, &places, count)) power += p.power[0];
+        EXPECT_TRUE(std::isfinite(power));
+        EXPECT_GT(power, 0.0);
+    }
+}
+
 TEST(PointChoice, KeepsPointsInPlaceWhileAViewMoves)
 {
     const std::vector<Emitter> lights = street();

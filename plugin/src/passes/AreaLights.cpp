@@ -52,9 +52,11 @@ unsigned pointsAtOnce(const PointChoice& choice, const FrameContext& c)
     return std::max(unsigned(c.settings.atlasUpdatesPerFrame), choice.waiting() / 4);
 }
 
+// In a frame of a still view's average, chosen points do: their sums are right on average, the share of them that is seen is not.
 bool pointsStandForThem(const FrameContext& c)
 {
-    return c.emitterMaps && areMany(c) && c.settings.manyLights == Settings::MANY_LIGHTS_POINTS;
+    if (!c.emitterMaps || !areMany(c)) return false;
+    return c.settings.manyLights == Settings::MANY_LIGHTS_POINTS || (c.pointedLights && c.isAccumulating());
 }
 
 bool needsCuts(const FrameContext& c)
@@ -273,8 +275,7 @@ void AreaLightsPass::setup(PassBuilder& b, FrameContext& c)
         b.define("HAS_LIGHT_CUTS");
         b.bind(c.lightTree, "lightTreeMap");
         b.read(b.find("light totals"), "lightTotalMap");
-        // A still view's average has all lights' points in turn.
-        if (c.pointedLights && b.find("area visibility").valid() && !c.isAccumulating()) {
+        if (c.pointedLights && b.find("area visibility").valid()) {
             b.define("HAS_CHOSEN_POINTS");
             b.bind(c.pointedLights, "pointedLightMap");
         }

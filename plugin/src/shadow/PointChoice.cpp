@@ -42,7 +42,7 @@ double ownNumber(size_t side, unsigned part, unsigned round)
 double sentTo(const LitSide& side, const osg::Vec3d& place)
 {
     const osg::Vec3d to = place - side.light->center;
-    const double square = to.length2();
+    const double square = std::max(to.length2(), 1e-300);
     const double cosine =
         side.light->shape == AreaLight::SPHERE ? 0.25 : side.light->normal * to * side.turned / std::sqrt(square);
     return side.flux * std::max(cosine, 0.0) / (osg::PI * square + side.light->area);
