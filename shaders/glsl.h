@@ -108,6 +108,7 @@ inline vec4 textureLod(const sampler2D& s, vec2 st, double)
 #include "lib/depth.glsl"
 #include "lib/disc.glsl"
 #include "lib/emittermap.glsl"
+#include "lib/farlight.glsl"
 #include "lib/fog.glsl"
 #include "lib/frame.glsl"
 #include "lib/errorfunction.glsl"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Clusters of area lights, as points: what they send into a lobe, and how far that may be from what their lights send [Walter et al.
-// 2005, "Lightcuts: A Scalable Approach to Illumination", 4]. A lobe is a cosine lobe that a matrix stretches [lib/ltc.glsl]; that of
-// the diffuse layer is a cosine lobe itself. All directions are of one frame.
+// Clusters of area lights, each taken as a point: what it sends into a lobe, and a bound of the error [Walter et al. 2005, "Lightcuts:
+// A Scalable Approach to Illumination", 4]. A lobe is a cosine lobe that a matrix stretches [lib/ltc.glsl]. The diffuse layer has a cosine
+// lobe that is not stretched. All directions are in one frame.
 #ifndef LIGHTCUT_GLSL
 #define LIGHTCUT_GLSL
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 // What surfaces reflect of the area lights, added to the emission: so everything that reads that has it. Irradiance is exact, in closed
 // form, times the share that the surface sees [area-lights.md 0]. What lobes reflect is by linearly transformed cosines, of all lobes
-// as of GGX's of the same roughness. Of many lights those that are near have closed forms, and clusters of the others stand for them, or
-// the points that have shadow maps stand for all.
+// as of GGX's of the same roughness. Where there are many lights, near ones have closed forms, and clusters stand for the others; or
+// points that have shadow maps stand for all.
 #pragma import_defines(HAS_AREA_SHADOWS, HAS_AREA_POINTS, HAS_LIGHT_CUTS, HAS_DIFFUSE, HAS_LOBES, HAS_AREA_PICTURES)
 
 #include "lib/scenelight.glsl"
@@ -51,7 +51,8 @@ struct Receiver {
 #ifdef HAS_LOBES
 vec3 intoLobe(AreaLight light, Receiver r, Ltc lobe)
 {
-    bool far = isFarLight(light, r.n) && AREA_FAR * AREA_FAR * light.squareRadius < r.alpha * r.alpha * dot(light.center, light.center);
+    bool narrow = FAR_LIGHT * FAR_LIGHT * light.squareRadius < r.alpha * r.alpha * dot(light.center, light.center);  // beside the lobe
+    bool far = narrow && isFarLight(light.center, light.squareRadius, r.n);
     AreaLight local = inFrame(light, r.frame);
     float share = far ? ltcDensity(lobe, normalize(light.center) * r.frame) * farSolidAngle(light) : areaShare(local, lobe, r.frame);
     vec3 sum = light.radiance * share;
@@ -65,7 +66,7 @@ vec3 intoLobe(AreaLight light, Receiver r, Ltc lobe)
 // Irradiance over pi by such a light.
 vec3 received(AreaLight light, Receiver r)
 {
-    bool far = isFarLight(light, r.n);
+    bool far = isFarLight(light.center, light.squareRadius, r.n);
     AreaLight local = inFrame(light, r.frame);
     float form = far ? INV_PI * dot(r.n, normalize(light.center)) * farSolidAngle(light) : areaFormFactor(local, r.frame);
     vec3 sum = light.radiance * form;
@@ -94,7 +95,8 @@ LightReceiver lobeReceiver(Receiver r, Ltc lobe)
 }
 #endif
 
-// What a lobe of GGX about the unit normal n sends towards v, both in the world, over its albedo. seen: the share that it sees of lights.
+// What a lobe of GGX about the unit normal n sends towards v, both in the world, over its albedo.
+// seen: the share of the lights that the lobe sees
 vec3 throughLobe(vec3 point, vec3 n, vec3 v, float roughness, float seen)
 {
 #ifdef HAS_AREA_POINTS
@@ -178,7 +180,8 @@ float lightTotal(ivec2 p)
 }
 #endif
 
-// What the diffuse layer of that albedo reflects. seen: the share that it sees of lights.
+// What the diffuse layer of that albedo reflects.
+// seen: the share of the lights that the surface sees
 vec3 diffused(ivec2 p, vec3 albedo, vec3 point, vec3 n, vec3 seen)
 {
 #ifdef HAS_ROUGH_DIFFUSE

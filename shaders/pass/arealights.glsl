@@ -5,6 +5,7 @@
 #pragma import_defines(HAS_POLYGONS, HAS_LOBES)
 
 #include "lib/disc.glsl"
+#include "lib/farlight.glsl"
 #include "lib/limits.glsl"
 #include "lib/ltc.glsl"
 #include "lib/polygon.glsl"
@@ -19,8 +20,6 @@ const int AREA_RECTANGLE = 0;
 const int AREA_DISC = 1;
 const int AREA_SPHERE = 2;
 const int AREA_POLYGON = 3;
-// From this many radii on a light is as a point's, to a third of the square of that ratio, and so is a lobe that is wider by as much.
-const float AREA_FAR = 10.0;
 
 struct AreaLight {
     int shape;
@@ -75,13 +74,6 @@ bool isLitBy(AreaLight a, vec3 n)
     float height = dot(n, a.center);
     if (height < 0.0 && height * height >= a.squareRadius) return false;
     return a.shape == AREA_SPHERE || dot(cross(a.u, a.v), a.center) < 0.0;
-}
-
-bool isFarLight(AreaLight a, vec3 n)
-{
-    float height = dot(n, a.center);
-    float square = dot(a.center, a.center);
-    return AREA_FAR * AREA_FAR * a.squareRadius < square && height > 0.0 && height * height > a.squareRadius;
 }
 
 // The solid angle of a light that is far.

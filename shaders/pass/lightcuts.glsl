@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The area lights as a tree of clusters, about the emitter points' origin. A walk through it takes of the clusters those that differ from
-// their lights by no more than a share of what the receiver gets of all.
+// A tree of clusters of the area lights, about the emitter points' origin. A walk goes down the tree. It stops at a cluster, and takes it
+// for its lights, where the difference is no more than a share of what the receiver gets of all lights.
 #ifndef PASS_LIGHTCUTS_GLSL
 #define PASS_LIGHTCUTS_GLSL
 #pragma import_defines(HAS_CHOSEN_POINTS)
 
+#include "lib/farlight.glsl"
 #include "lib/lightcut.glsl"
 #include "lib/limits.glsl"
 #include "lib/octahedral.glsl"
@@ -13,16 +14,14 @@ uniform sampler2D lightTreeMap; // CLUSTER_ROWS texels above each other are a cl
                                 // it, or of a leaf -1 - 2 times its light's number, 1 less of the light's back; reach, spread; power, axis
 uniform float lightCutError;
 #ifdef HAS_CHOSEN_POINTS
-uniform sampler2D pointedLightMap;  // by leaf: 1 if points of it have shadow maps
+uniform sampler2D lightsWithPointsMap;  // by leaf: 1 if points of it have shadow maps
 #endif
 // The share of light from there that the diffuse layer sends to the eye. Who includes this defines it.
 vec3 diffuseShare(vec3 toLight);
 
-// As AREA_FAR of pass/arealights.glsl.
-const float CUT_FAR = 10.0;
-// A light that has no points is not dimmed by what hides others if it sends much of all light: mostly it is near. Between these shares
-// it is in part. Pictures from above a city differ from the truth by .0114, .0113, .0116 (mean) with .05 to .2, .1 to .3 and .2 to .6,
-// and by .021 without this.
+// Shadows of other lights do not dim a light that has no points and sends much of all light: mostly it is near. This begins at the first
+// share and is complete at the second. Pictures from above a city differ from the truth by .0114, .0113, .0116 (mean) with .05 to .2,
+// .1 to .3 and .2 to .6, and by .021 without this.
 const float SOME = 0.1;
 const float MUCH = 0.3;
 // No light.
@@ -75,8 +74,8 @@ int lightTreeEnd()
     return code < 0.0 ? 1 : int(code);
 }
 
-// What all of them send, mean of the colours, roughly: clusters count that are no larger than they are far, and lights as if they were
-// blurred.
+// What all lights send, roughly; mean of the colours. A cluster stands for its lights if it is no larger than it is far. Near lights count
+// as if they were blurred.
 float roughlySent(vec3 point, LightReceiver r, int end)
 {
     float sum = 0.0;
@@ -103,20 +102,11 @@ LightWalk beginWalk(float total, bool isDiffuse)
     return LightWalk(0, lightTreeEnd(), total, isDiffuse, vec3(0.0), vec3(0.0), NO_LEAF);
 }
 
-// As a point such a leaf is off by a third of the square of its size over its distance at most.
-bool isFarLeaf(LightNode node, vec3 n)
-{
-    float square = dot(node.cluster.reach, node.cluster.reach);
-    float height = dot(n, node.cluster.place);
-    return node.leaf != NO_LEAF && CUT_FAR * CUT_FAR * square < dot(node.cluster.place, node.cluster.place) && height > 0.0 &&
-           height * height > square;
-}
-
-// How far a light is one that sends much and has no points.
+// From 0 to 1, how much a light is such a one.
 float loneness(LightWalk w, int leaf, vec3 sent)
 {
 #ifdef HAS_CHOSEN_POINTS
-    if (leaf == NO_LEAF || texelFetch(pointedLightMap, ivec2(leaf % LIGHT_COLUMNS, leaf / LIGHT_COLUMNS), 0).r > 0.0) return 0.0;
+    if (leaf == NO_LEAF || texelFetch(lightsWithPointsMap, ivec2(leaf % LIGHT_COLUMNS, leaf / LIGHT_COLUMNS), 0).r > 0.0) return 0.0;
     return smoothstep(SOME, MUCH, dot(sent, vec3(1.0 / 3.0)) / max(w.total, 1e-30));
 #else
     return 0.0;
@@ -144,7 +134,9 @@ LightWalk walkOn(LightWalk w, vec3 point, LightReceiver r)
         LightNode node = lightNode(w.at, point);
         float kernel = clusterKernel(r, node.cluster, 0.0);
         bool taken = clusterError(clusterRange(r, node.cluster), node.cluster.power * kernel) <= lightCutError * w.total;
-        if (w.isDiffuse) taken = taken || isFarLeaf(node, r.n);
+        vec3 reach = node.cluster.reach;
+        bool isPoint = node.leaf != NO_LEAF && isFarLight(node.cluster.place, dot(reach, reach), r.n);
+        if (w.isDiffuse) taken = taken || isPoint;
         vec3 share = w.isDiffuse ? diffuseShare(node.cluster.place) : vec3(1.0);
         if (taken)
             w = withSent(w, node.leaf, node.power * kernel, share);

@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// What surfaces receive of all area lights together, roughly, for the bounds of pass/lightcuts.glsl: of one pixel of each 2x2, which is
-// no background where the quad has a surface. Elsewhere it is huge.
+// What a surface receives of all area lights together, roughly: the bounds of pass/lightcuts.glsl are shares of it. One pixel of each 2x2
+// is asked, one that shows a surface if there is any. Without any the value is huge.
 #include "pass/gbuffer.glsl"
 #include "pass/lightcuts.glsl"
 

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "Emitters.h"
+
 namespace EmitterPoints_test
 {
 
@@ -20,9 +22,7 @@ namespace
 Emitter placed(const osg::ref_ptr<AreaLight>& light, double radiance)
 {
     light->setRadiance(osg::Vec3f(float(radiance), float(radiance), float(radiance)));
-    Emitter emitter;
-    EXPECT_EQ("", osgEnvLight::placeEmitter(*light, osg::Matrixd(), emitter));
-    return emitter;
+    return ::placed(*light);
 }
 
 Emitter rectangle(const osg::Vec3d& center, double width, double height, double radiance, bool twoSided = false)

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <set>
 
+#include "Emitters.h"
 #include "Maths.h"
 
 namespace EmitterTree_test
@@ -44,18 +45,7 @@ Emitter randomLight(Random& random, const osg::Vec3d& center, double size, bool 
         light->setDisc(center, vector(random.direction()), size);
     const float strength = float(std::pow(10.0, random.uniform(-2.0, 2.0)));
     light->setRadiance(osg::Vec3f(strength, 0.5f * strength, 2.0f * strength));
-    Emitter emitter;
-    EXPECT_EQ("", osgEnvLight::placeEmitter(*light, osg::Matrixd(), emitter));
-    return emitter;
-}
-
-Emitter lamp(const osg::Vec3d& center)
-{
-    osg::ref_ptr<AreaLight> light = new AreaLight;
-    light->setDisc(center, osg::Vec3d(0, 0, -1), 0.01);
-    Emitter emitter;
-    EXPECT_EQ("", osgEnvLight::placeEmitter(*light, osg::Matrixd(), emitter));
-    return emitter;
+    return placed(*light);
 }
 
 // In a cube about a place.
@@ -252,7 +242,7 @@ TEST(EmitterTree, ACutIsOffByLessThanItsLimitAndGrowsSlowly)
             std::vector<Emitter> lights;
             for (size_t i = 0; i < count; ++i) {
                 const osg::Vec3d place(random.uniform(-10.0, 10.0), random.uniform(-10.0, 10.0), random.uniform(-10.0, 10.0));
-                lights.push_back(hang ? lamp(osg::Vec3d(place.x(), place.y(), 2.0 + 0.05 * place.z()))
+                lights.push_back(hang ? lampAt(osg::Vec3d(place.x(), place.y(), 2.0 + 0.05 * place.z()), 0.01)
                                       : randomLight(random, place, 0.01, random.uniform() < 0.3));
             }
             const std::vector<EmitterCluster> tree = emitterTree(lights);

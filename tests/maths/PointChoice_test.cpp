@@ -9,12 +9,12 @@
 #include <numeric>
 #include <set>
 
+#include "Emitters.h"
 #include "Maths.h"
 
 namespace PointChoice_test
 {
 
-using osgEnvLight::AreaLight;
 using osgEnvLight::chooseParts;
 using osgEnvLight::ChosenPart;
 using osgEnvLight::Emitter;
@@ -26,20 +26,11 @@ namespace
 
 const unsigned count = 64;
 
-Emitter lampAt(const osg::Vec3d& center)
-{
-    osg::ref_ptr<AreaLight> light = new AreaLight;
-    light->setDisc(center, osg::Vec3d(0, 0, -1), 0.1);
-    Emitter emitter;
-    EXPECT_EQ("", osgEnvLight::placeEmitter(*light, osg::Matrixd(), emitter));
-    return emitter;
-}
-
 // A street of 1000 lamps, 10 apart and 5 high.
 std::vector<Emitter> street()
 {
     std::vector<Emitter> lights;
-    for (int i = 0; i < 1000; ++i) lights.push_back(lampAt(osg::Vec3d(10.0 * i, 0, 5)));
+    for (int i = 0; i < 1000; ++i) lights.push_back(lampAt(osg::Vec3d(10.0 * i, 0, 5), 0.1));
     return lights;
 }
 

@@ -14,8 +14,7 @@ std::vector<SettingsProperty> AreaLightSettings::properties()
                "multiple of 16, and up to twice as many where there are more lights"),
         choice("manyLights", &S::manyLights, {"points", "lightcuts"},
                "what stands for more than eight area lights: the points that have shadow maps, or in each pixel a cut through a "
-               "tree of "
-               "the lights, whose near ones have their closed forms"),
+               "tree of the lights, whose near ones have their closed forms"),
         uniform(real(
             "lightCutError", &S::lightCutError, 0, 1, "",
             "bound of what a cluster of such a cut may differ from its lights, in shares of what a surface gets of all lights")),

@@ -52,11 +52,12 @@ unsigned pointsAtOnce(const PointChoice& choice, const FrameContext& c)
     return std::max(unsigned(c.settings.atlasUpdatesPerFrame), choice.waiting() / 4);
 }
 
-// In a frame of a still view's average, chosen points do: their sums are right on average, the share of them that is seen is not.
+// In a still view's average chosen points stand for all lights. The mean of their sums is right; the mean of the share that is
+// seen is not.
 bool pointsStandForThem(const FrameContext& c)
 {
     if (!c.emitterMaps || !areMany(c)) return false;
-    return c.settings.manyLights == Settings::MANY_LIGHTS_POINTS || (c.pointedLights && c.isAccumulating());
+    return c.settings.manyLights == Settings::MANY_LIGHTS_POINTS || (c.lightsWithPoints && c.isAccumulating());
 }
 
 bool needsCuts(const FrameContext& c)
@@ -113,8 +114,9 @@ void AreaMapsPass::update(FrameContext& c)
             _choice.update(c.areaLights, count, c.seen ? &c.seen->points : nullptr, all ? count : pointsAtOnce(_choice, c));
         c.emitterMaps = &_maps.update(c, points, size, _choice.changed() > unsigned(c.settings.atlasUpdatesPerFrame));
         c.waitingMaps += _choice.waiting();
-        if (!_pointed || _choice.changed() > 0) _pointed = tableTexture(pointedLightImage(_choice.pointedSides()));
-        c.pointedLights = _pointed.get();
+        if (!_lightsWithPoints || _choice.changed() > 0)
+            _lightsWithPoints = tableTexture(lightsWithPointsImage(_choice.sidesWithPoints()));
+        c.lightsWithPoints = _lightsWithPoints.get();
     } else {
         forgetChoice();
         c.emitterMaps = &_maps.update(c, emitterPoints(c.areaLights, count), size);
@@ -149,7 +151,7 @@ void AreaMapsPass::dismiss(FrameContext& c)
 void AreaMapsPass::forgetChoice()
 {
     _choice = {};
-    _pointed = nullptr;
+    _lightsWithPoints = nullptr;
 }
 
 void AreaMapsPass::resizeGLObjectBuffers(unsigned maximum)
@@ -275,9 +277,9 @@ void AreaLightsPass::setup(PassBuilder& b, FrameContext& c)
         b.define("HAS_LIGHT_CUTS");
         b.bind(c.lightTree, "lightTreeMap");
         b.read(b.find("light totals"), "lightTotalMap");
-        if (c.pointedLights && b.find("area visibility").valid()) {
+        if (c.lightsWithPoints && b.find("area visibility").valid()) {
             b.define("HAS_CHOSEN_POINTS");
-            b.bind(c.pointedLights, "pointedLightMap");
+            b.bind(c.lightsWithPoints, "lightsWithPointsMap");
         }
         b.settings<AreaLightSettings>();
     }

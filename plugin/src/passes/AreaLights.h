@@ -30,8 +30,8 @@ class OSGENVLIGHT_EXPORT AreaMapsPass : public MapsPass<EmitterMapsOwner>
     void forgetChoice();
 
     EmitterMapsOwner _stillMaps;
-    PointChoice _choice;                    // of many lights
-    osg::ref_ptr<osg::Texture2D> _pointed;  // which these are
+    PointChoice _choice;                             // of many lights
+    osg::ref_ptr<osg::Texture2D> _lightsWithPoints;  // which these are
 };
 
 /** There are more area lights than points, so what the view shows decides which have some. */

@@ -102,7 +102,7 @@ osg::ref_ptr<osg::Image> lightTreeImage(const std::vector<Emitter>& lights, cons
     return image;
 }
 
-osg::ref_ptr<osg::Image> pointedLightImage(const std::vector<unsigned char>& sides)
+osg::ref_ptr<osg::Image> lightsWithPointsImage(const std::vector<unsigned char>& sides)
 {
     osg::ref_ptr<osg::Image> image = new osg::Image;
     image->allocateImage(limits::LIGHT_COLUMNS, int(rowsOf(sides.size(), limits::LIGHT_COLUMNS, 1)), 1, GL_RED, GL_UNSIGNED_BYTE);

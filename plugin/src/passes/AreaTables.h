@@ -20,7 +20,7 @@ osg::ref_ptr<osg::Image> areaLightImage(const std::vector<Emitter>& lights, cons
 /** Clusters of them, as pass/lightcuts.glsl reads these; at least one. */
 osg::ref_ptr<osg::Image> lightTreeImage(const std::vector<Emitter>& lights, const osg::Vec3d& origin);
 /** A texel for each of these, as pass/lightcuts.glsl reads them. */
-osg::ref_ptr<osg::Image> pointedLightImage(const std::vector<unsigned char>& sides);
+osg::ref_ptr<osg::Image> lightsWithPointsImage(const std::vector<unsigned char>& sides);
 /** A layer for each light that shows a picture, in their order. */
 osg::ref_ptr<osg::Texture2DArray> areaPictureTexture(const std::vector<Emitter>& lights);
 

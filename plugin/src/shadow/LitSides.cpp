@@ -86,10 +86,8 @@ std::vector<LitSide> litSides(const std::vector<Emitter>& lights)
 {
     std::vector<LitSide> sides;
     for (const Emitter& light : lights) {
-        const double flux = light.flux() / (light.twoSided ? 2.0 : 1.0);
-        if (!(flux > 0.0)) continue;
-        sides.push_back({&light, 1.0, flux});
-        if (light.twoSided) sides.push_back({&light, -1.0, flux});
+        const int lit = light.litSides();
+        for (int side = 0; side < lit; ++side) sides.push_back({&light, side == 0 ? 1.0 : -1.0, light.flux() / lit});
     }
     return sides;
 }
@@ -97,7 +95,7 @@ std::vector<LitSide> litSides(const std::vector<Emitter>& lights)
 size_t countLitSides(const std::vector<Emitter>& lights)
 {
     size_t count = 0;
-    for (const Emitter& light : lights) count += !(light.flux() > 0.0) ? 0 : light.twoSided ? 2 : 1;
+    for (const Emitter& light : lights) count += size_t(light.litSides());
     return count;
 }
 

@@ -233,7 +233,7 @@ const std::vector<EmitterPoint>& PointChoice::update(const std::vector<Emitter>&
     return _points;
 }
 
-std::vector<unsigned char> PointChoice::pointedSides() const
+std::vector<unsigned char> PointChoice::sidesWithPoints() const
 {
     const std::vector<LitSide> sides = litSides(_lights);
     std::vector<unsigned char> pointed(2 * _lights.size(), 0);

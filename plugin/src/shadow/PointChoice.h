@@ -48,7 +48,7 @@ class OSGENVLIGHT_EXPORT PointChoice
     std::vector<EmitterPoint> ofRound(const std::vector<Emitter>& lights, unsigned count, unsigned round) const;
 
     /** Of the lights of update(), for the front of each and then its back: 1 where there is a point of it, else 0. */
-    std::vector<unsigned char> pointedSides() const;
+    std::vector<unsigned char> sidesWithPoints() const;
 
     /** Points that update() has changed, and that are yet to change. */
     unsigned changed() const { return _changed; }

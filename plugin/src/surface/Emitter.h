@@ -35,6 +35,8 @@ struct OSGENVLIGHT_EXPORT Emitter {
     double extent() const;
     /** Radiance times area times pi, of both sides if both are lit, mean of the colours. */
     double flux() const;
+    /** How many of its sides send light: none of a black light. */
+    int litSides() const { return !(flux() > 0.0) ? 0 : twoSided ? 2 : 1; }
     bool operator==(const Emitter& o) const;
     bool operator!=(const Emitter& o) const { return !(*this == o); }
     /** Differs from the other by no more than a matrix that went to a view and back is rounded. */

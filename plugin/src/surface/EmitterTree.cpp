@@ -51,11 +51,8 @@ EmitterCluster leaf(const Emitter& light, size_t number, bool back)
 std::vector<EmitterCluster> leavesOf(const std::vector<Emitter>& lights)
 {
     std::vector<EmitterCluster> leaves;
-    for (size_t i = 0; i < lights.size(); ++i) {
-        if (!(lights[i].flux() > 0.0)) continue;
-        leaves.push_back(leaf(lights[i], i, false));
-        if (lights[i].twoSided) leaves.push_back(leaf(lights[i], i, true));
-    }
+    for (size_t i = 0; i < lights.size(); ++i)
+        for (int side = 0; side < lights[i].litSides(); ++side) leaves.push_back(leaf(lights[i], i, side == 1));
     return leaves;
 }
 
