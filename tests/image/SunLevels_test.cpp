@@ -81,6 +81,29 @@ TEST(SunLevels, NoSeamsBetweenLevels)
     EXPECT_GT(bright, 2000);
 }
 
+// In a street 400 long and 20 wide, a post 60 ahead, four pixels wide there. A level that is to be half as wide as the
+// street cannot reach it.
+TEST(SunLevels, ReachFarAlongAStreet)
+{
+    SceneRenderer renderer(512, 384);
+    osg::ref_ptr<LitScene> lit = sunny(osg::Vec3d(1, 0, 1), 0.3);
+    lit->addChild(makeBox(osg::Vec3d(-10, -200, -1), osg::Vec3d(10, 200, 0)));
+    lit->addChild(makeBox(osg::Vec3d(0, -130.2, 0), osg::Vec3d(0.4, -129.8, 4)));
+    renderer.lookAt(osg::Vec3d(-3, -190, 20), osg::Vec3d(-3, -130, 0), osg::Vec3d(0, 0, 1), 30.0);
+    const Picture p = renderer.render(lit);
+    double sum = 0.0;
+    int count = 0;
+    for (int y = 0; y < p.height; ++y)
+        for (int x = 0; x < p.width; ++x) {
+            const osg::Vec3d g = groundAt(renderer, p, x, y);
+            if (!(g.x() > -3.5 && g.x() < -0.3 && std::abs(g.y() + 130.0) < 0.15)) continue;
+            sum += p.color(x, y)[0];
+            ++count;
+        }
+    ASSERT_GT(count, 5);
+    EXPECT_LT(sum / count, 0.02);
+}
+
 // Levels move by whole texels: a view that comes back by another way sees the shadows that it saw.
 TEST(SunLevels, ShadowsDontSwim)
 {

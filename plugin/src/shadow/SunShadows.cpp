@@ -53,6 +53,19 @@ osg::Vec2d sidesOf(const osg::BoundingBoxd& r)
     return {r.xMax() - r.xMin(), r.yMax() - r.yMin()};
 }
 
+// Of a level that shows the rectangle with room to wander.
+osg::Vec2d sidesFor(const osg::BoundingBoxd& needed, const osg::Vec2d& whole)
+{
+    return {level(spare * sidesOf(needed).x(), whole.x()), level(spare * sidesOf(needed).y(), whole.y())};
+}
+
+// A quarter of the area: the map of a long street is made shorter before it is made narrower.
+bool isFiner(const osg::Vec2d& sides, const osg::Vec2d& former)
+{
+    return sides.x() <= former.x() && sides.y() <= former.y() &&
+           sides.x() * sides.y() <= 0.25 * (1.0 + 1e-9) * former.x() * former.y();
+}
+
 // Axes about the direction in which the box has the least bound: a low sun sees a floor as a narrow strip, and texels as
 // narrow are what its long shadows need.
 std::array<osg::Vec3d, 3> narrowestAxes(const osg::BoundingBoxd& box, const osg::Vec3d& direction)
@@ -147,33 +160,30 @@ void SunShadows::fitLevels(const Sun& sun, const ShadowView& view, const Visible
     if (!whole.exists()) whole = snapped(scene, sidesOf(scene) * (1.0 + 4.0 / size));
     for (unsigned i = 1; i < levels; ++i) {
         const Rectangle& former = rectangles[i - 1];
-        const osg::BoundingBoxd needed = nearPart(sun, view, boxes, former);
+        const osg::BoundingBoxd needed = nearPart(sun, view, boxes, whole, former);
         Rectangle& own = rectangles[i];
         if (!needed.valid() || !former.exists()) {
             own = Rectangle();
             continue;
         }
-        const osg::Vec2d sides(level(spare * sidesOf(needed).x(), whole.sides.x()),
-                               level(spare * sidesOf(needed).y(), whole.sides.y()));
-        const bool stays = own.sides.x() <= 0.5 * former.sides.x() && own.sides.y() <= 0.5 * former.sides.y() &&
-                           own.area() <= 2.0 * sides.x() * sides.y() && own.contains(needed);
+        const osg::Vec2d sides = sidesFor(needed, whole.sides);
+        const bool stays = isFiner(own.sides, former.sides) && own.area() <= 2.0 * sides.x() * sides.y() && own.contains(needed);
         if (!stays) own = snapped(needed, sides);
     }
 }
 
-// Of what the view shows, as much of that for which the former's texels are too wide as fits into one half as wide; not valid
-// where nothing is.
-osg::BoundingBoxd SunShadows::nearPart(const Sun& sun, const ShadowView& view, const VisibleBoxes& boxes,
+// Of what the view shows, as much of that for which the former's texels are too wide as fits into a finer map; not valid where
+// nothing is.
+osg::BoundingBoxd SunShadows::nearPart(const Sun& sun, const ShadowView& view, const VisibleBoxes& boxes, const Rectangle& whole,
                                        const Rectangle& former) const
 {
     const osg::BoundingBoxd scene = rectangleOf(sun.axes, cornersOf(_box));
-    const double most = 0.5 / spare;
     double near = boxes.nearest(), far = depthOfWideTexels(former.texel(size), view, boxes);
     osg::BoundingBoxd part;
     for (int step = 0; far > near && step < 8; ++step) {
         const double depth = step == 0 ? far : 0.5 * (near + far);
         const osg::BoundingBoxd r = boxes.rectangle(sun.axes, depth).intersect(scene);
-        const bool fits = sidesOf(r).x() <= most * former.sides.x() && sidesOf(r).y() <= most * former.sides.y();
+        const bool fits = isFiner(sidesFor(r, whole.sides), former.sides);
         (fits ? near : far) = depth;
         if (fits) part = r;
     }

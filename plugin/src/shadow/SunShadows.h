@@ -17,7 +17,7 @@ namespace osgEnvLight
 {
 
 /** The shadow maps of a view's suns: for each, one of the whole scene, and where its texels are wider than a pixel of the
- * view, smaller ones about what the view shows near the eye, each at most half as wide and half as high as the last. Each holds
+ * view, smaller ones about what the view shows near the eye, each of at most a quarter of the last one's area. Each holds
  * heights along the direction to the sun, of the first surface and half-way to the second.
  *
  * A map stands in the world, on whole texels. It is drawn again when what casts shadows or the sun has moved, or the view
@@ -88,7 +88,8 @@ class OSGENVLIGHT_EXPORT SunShadows : public osg::Referenced
     bool fitScene(const osg::BoundingBoxd& bound);
     void place(Sun& sun, const osg::Vec3d& direction) const;
     void fitLevels(const Sun& sun, const ShadowView& view, const VisibleBoxes& boxes, Rectangles& rectangles) const;
-    osg::BoundingBoxd nearPart(const Sun& sun, const ShadowView& view, const VisibleBoxes& boxes, const Rectangle& former) const;
+    osg::BoundingBoxd nearPart(const Sun& sun, const ShadowView& view, const VisibleBoxes& boxes, const Rectangle& whole,
+                               const Rectangle& former) const;
     Rectangle snapped(const osg::BoundingBoxd& needed, const osg::Vec2d& sides) const;
     ShadowRefresh refresh(unsigned index, unsigned level, const ChangedPart& changed) const;
 
