@@ -7,7 +7,7 @@
 #include "lib/limits.glsl"
 #include "lib/octahedral.glsl"
 
-uniform sampler2D probePlaceMap;      // position, and 0 where the probe lies in a body
+uniform sampler2D probePlaceMap;      // position, and how much the probe counts
 uniform sampler2D probeDepthMap;      // distance and its square by direction
 uniform sampler2D probeIrradianceMap; // mean radiance of the surfaces, times their share; their share
 uniform ivec3 probeCount;

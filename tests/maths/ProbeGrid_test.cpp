@@ -99,6 +99,7 @@ TEST(ProbeGrid, SeesTheSkyOverAPlane)
     }
 }
 
+// What lies within a body stands for nothing: others take its place.
 TEST(ProbeGrid, IsOffOrOutsideWhereABodyIs)
 {
     TracedScene scene;
@@ -109,11 +110,21 @@ TEST(ProbeGrid, IsOffOrOutsideWhereABodyIs)
     int off = 0;
     for (size_t i = 0; i < probed.grid.probes(); ++i) {
         const osg::Vec3f& p = probed.grid.places[i].position;
-        const bool within = std::max({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())}) < 6.0f;
-        EXPECT_EQ(!within, probed.grid.places[i].on);
-        if (!within) continue;
+        EXPECT_GT(std::max({std::abs(p.x()), std::abs(p.y()), std::abs(p.z())}), 6.0f);
+        EXPECT_EQ(0.0, probed.shareOf(i, ProbeGrid::BACK));
+        if (probed.grid.places[i].on) continue;
         ++off;
-        EXPECT_GT(probed.shareOf(i, ProbeGrid::BACK), 0.9);
+        const auto same = std::find_if(probed.grid.places.begin(), probed.grid.places.end(),
+                                       [&](const ProbeGrid::Place& o) { return o.on && o.position == p; });
+        ASSERT_NE(probed.grid.places.end(), same);
+        const auto other = same - probed.grid.places.begin();
+        const auto links = [&](std::ptrdiff_t probe) {
+            const auto count = std::ptrdiff_t(ProbeGrid::directions().size());
+            return std::vector<int>(probed.grid.links.begin() + probe * count, probed.grid.links.begin() + (probe + 1) * count);
+        };
+        EXPECT_EQ(links(other), links(std::ptrdiff_t(i)));
+        const size_t texels = size_t(limits::PROBE_DEPTH_SIDE * limits::PROBE_DEPTH_SIDE);
+        EXPECT_EQ(probed.grid.depths[size_t(other) * texels + 17], probed.grid.depths[i * texels + 17]);
     }
     EXPECT_GT(off, 4);
     EXPECT_LT(off, int(probed.grid.probes()) / 3);

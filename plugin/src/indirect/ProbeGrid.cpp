@@ -167,6 +167,28 @@ ProbeGrid::ProbeGrid(const TracedScene& scene, const CasterBvh& bvh, const Neare
                 addLinks(scene, nearest, place, seen);
                 addDepths(seen, at);
             }
+    replaceThoseOff();
+}
+
+// Where a wall is thicker than a cell, all eight probes about it lie within.
+void ProbeGrid::replaceThoseOff()
+{
+    std::vector<size_t> on;
+    for (size_t i = 0; i < probes(); ++i)
+        if (places[i].on) on.push_back(i);
+    const auto copy = [](auto& values, size_t count, size_t from, size_t to) {
+        std::copy_n(values.begin() + std::ptrdiff_t(from * count), count, values.begin() + std::ptrdiff_t(to * count));
+    };
+    for (size_t i = 0; i < probes() && !on.empty(); ++i) {
+        if (places[i].on) continue;
+        const osg::Vec3f place = places[i].position;
+        const size_t nearest = *std::min_element(on.begin(), on.end(), [&](size_t a, size_t b) {
+            return (places[a].position - place).length2() < (places[b].position - place).length2();
+        });
+        places[i].position = places[nearest].position;
+        copy(links, directions().size(), nearest, i);
+        copy(depths, size_t(depthSide) * depthSide, nearest, i);
+    }
 }
 
 void ProbeGrid::addLinks(const TracedScene& scene, const NearestPoint& nearest, const Place& place, const std::vector<Seen>& seen)

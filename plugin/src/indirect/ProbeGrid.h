@@ -36,7 +36,7 @@ struct OSGENVLIGHT_EXPORT ProbeGrid {
     std::array<std::vector<float>, 3> planes;
     struct Place {
         osg::Vec3f position;  // may be off the planes, out of a body
-        bool on;              // not within one
+        bool on;              // else it lies within one, and all that it knows is of the nearest that is on
     };
     std::vector<Place> places;
     std::vector<int> links;  // of all directions of the first probe, and so on
@@ -54,6 +54,7 @@ struct OSGENVLIGHT_EXPORT ProbeGrid {
     float spacing(const std::array<int, 3>& at) const;
     void addLinks(const TracedScene& scene, const NearestPoint& nearest, const Place& place, const std::vector<Seen>& seen);
     void addDepths(const std::vector<Seen>& seen, const std::array<int, 3>& at);
+    void replaceThoseOff();
 };
 
 }  // namespace osgEnvLight

@@ -18,6 +18,7 @@ namespace
 
 constexpr int pointSide = limits::POINT_SIDE;
 constexpr int partSide = limits::POINT_PART_SIDE;
+const float ofOthers = 0.02f;  // what a probe counts that stands for one within a body: only where there is none else
 
 }  // namespace
 
@@ -85,7 +86,7 @@ void TransportScene::writeProbes(const ProbeGrid& grid)
             planes->setElement(unsigned(k * limits::MOST_PROBES + i), grid.planes[k][i]);
     uniforms->addUniform(planes);
     Texels places(columns, columns, 4);
-    for (int i = 0; i < probes; ++i) places.put(i, grid.places[size_t(i)].position, grid.places[size_t(i)].on ? 1.0f : 0.0f);
+    for (int i = 0; i < probes; ++i) places.put(i, grid.places[size_t(i)].position, grid.places[size_t(i)].on ? 1.0f : ofOthers);
     probePlaces = places.texture(GL_RGBA32F_ARB);
 
     const auto& all = ProbeGrid::directions();

@@ -37,7 +37,7 @@ class OSGENVLIGHT_EXPORT TransportScene : public osg::Referenced
     osg::ref_ptr<osg::Texture2D> pointPlaces, pointNormals;
     // The same of their parts, POINT_PART_SIDE x POINT_PART_SIDE texels in the place of a point's.
     osg::ref_ptr<osg::Texture2D> partPlaces, partNormals;
-    // columns x columns: position, and 1 or, for a probe within a body, 0.
+    // columns x columns: position, and how much it counts: less than 1 where another stands for a probe within a body.
     osg::ref_ptr<osg::Texture2D> probePlaces;
     // One row a probe, one texel a direction: the number of the point that is seen, or ProbeGrid::Link.
     osg::ref_ptr<osg::Texture2D> probeLinks;
