@@ -20,6 +20,7 @@ const int ALBEDO_BLOCKS = 3;      // of the table of lobes' albedo, one for each
 const int ANISOTROPY_BLOCKS = 9;  // that follow where surfaces are brushed
 const int PROBE_SIDE = 16;        // points that are read back along each side of the picture
 const int MOST_PROBES = 32;       // along each axis of their grid
+const int PROBE_LATTICES = 2;     // finer grids of probes about the view, in a scene far larger
 const int POINT_SIDE = 64;        // surface points along each side of the textures that have a texel for each
 const int POINT_PART_SIDE = 4;    // parts of what a point stands for along each side of the square of their texels
 const int PROBE_FACE_SIDE = 8;         // directions along each side of a cube's face in which a probe looks

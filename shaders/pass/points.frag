@@ -32,7 +32,6 @@ uniform int pointRows;       // of every so many rows of points one is due in th
 uniform int pointTurn;       // which one
 #ifdef HAS_SUN_MAPS
 uniform vec3 pointsInSunMaps;
-uniform float pointLift;  // off their surfaces, which these maps show more finely
 #endif
 #ifdef HAS_CAUSTICS
 uniform sampler2D pointGlossyMap;  // alpha: 1 if virtual lights stand for what it reflects
@@ -91,7 +90,9 @@ vec3 fromVirtualLights(ivec2 p, vec3 place, vec3 n)
 // Each part traces its own point of a sun's disc.
 void receiveSuns(vec3 place, vec3 n, int part, inout ReceivedLight sum)
 {
-    SunPixel s = SunPixel(place + pointsInSunMaps + pointLift * n, n, -n, 0.0, 1.0, part);
+    // Off its surface, which these maps show more finely.
+    vec3 lift = 0.5 * atlasTexelAt(place + placesInAtlas) * n;
+    SunPixel s = SunPixel(place + pointsInSunMaps + lift, n, -n, 0.0, 1.0, part);
     for (int i = 0; i < sunCount; ++i) {
         vec3 l = sunAxes[3 * i + 2];
         float e = discIrradianceOverPi(dot(n, l), sunRadius[i]);

@@ -3,6 +3,7 @@
 // Positions are about the origin of the probes.
 #ifndef PROBEGRID_GLSL
 #define PROBEGRID_GLSL
+#pragma import_defines(HAS_PROBE_LATTICES)
 
 #include "lib/limits.glsl"
 #include "lib/octahedral.glsl"
@@ -10,9 +11,13 @@
 uniform sampler2D probePlaceMap;      // position, and how much the probe counts
 uniform sampler2D probeDepthMap;      // distance and its square by direction
 uniform sampler2D probeIrradianceMap; // mean radiance of the surfaces, times their share; their share
-uniform ivec3 probeCount;
+uniform ivec3 probeCount;  // of each of their grids
 uniform int probeColumns;  // probes side by side in the maps
-uniform float probePlanes[3 * MOST_PROBES];  // of their grid, where they cross each axis
+uniform float probePlanes[3 * MOST_PROBES];  // of the grid of all the scene, where they cross each axis
+#ifdef HAS_PROBE_LATTICES
+uniform vec4 probeLattices[PROBE_LATTICES];  // of the finer grids, whose probes follow: the first probe's place; side of a cell
+uniform vec3 probeLatticeBounds[2 * PROBE_LATTICES];  // in cells from there, low and high; far away where the scene ends before
+#endif
 
 ivec2 probeTexel(int probe)
 {
@@ -26,10 +31,15 @@ vec4 probeLookup(sampler2D maps, int probe, float side, vec3 d)
     return textureLod(maps, (corner + octahedralFromDirection(d) * side) / vec2(textureSize(maps, 0)), 0.0);
 }
 
-// The eight probes about a point, and how much each counts there.
+// The eight probes about a point, and how much each counts there; or eight of a grid and eight of the next coarser one.
+#ifdef HAS_PROBE_LATTICES
+const int CAGE_PROBES = 16;
+#else
+const int CAGE_PROBES = 8;
+#endif
 struct ProbeCage {
-    int probe[8];
-    float weight[8];
+    int probe[CAGE_PROBES];
+    float weight[CAGE_PROBES];
 };
 
 // From what a probe knows of its distances that way: 1 for what lies before them, less behind them [Donnelly, Lauritzen 2006].
@@ -61,38 +71,120 @@ ProbeCell probeCell(int axis, float place)
     return ProbeCell(first, width > 0.0 ? clamp((place - low) / width, 0.0, 1.0) : 0.0, width);
 }
 
+// The cell of a grid that a point lies in.
+struct ProbeCube {
+    ivec3 first;
+    vec3 share;
+    float least;  // of its sides
+};
+
+ProbeCube cubeOfScene(vec3 p)
+{
+    ProbeCell x = probeCell(0, p.x);
+    ProbeCell y = probeCell(1, p.y);
+    ProbeCell z = probeCell(2, p.z);
+    return ProbeCube(ivec3(x.first, y.first, z.first), vec3(x.share, y.share, z.share), min(x.width, min(y.width, z.width)));
+}
+
+int probeAt(ivec3 at)
+{
+    return (at.z * probeCount.y + at.y) * probeCount.x + at.x;
+}
+
+// lifted: the point, off its surface.
+float probeWeight(int probe, vec3 linear, vec3 point, vec3 lifted, vec3 n)
+{
+    vec4 own = texelFetch(probePlaceMap, probeTexel(probe), 0);
+    vec3 to = own.xyz - point;
+    float facing = 0.5 * dot(to, n) * inversesqrt(max(dot(to, to), 1e-30)) + 0.5;
+    float w = max(linear.x * linear.y * linear.z, 1e-4) * (facing * facing + 0.2);
+    vec3 from = lifted - own.xyz;
+    float distance = length(from);
+    w *= probeSees(probe, from / max(distance, 1e-20), distance);
+    w = w < 0.2 ? w * w * w / 0.04 : w;  // what hardly counts counts less: no light comes through walls
+    return own.w * w;
+}
+
+#ifdef HAS_PROBE_LATTICES
+vec3 latticePlace(int lattice, vec3 p)
+{
+    return (p - probeLattices[lattice].xyz) / probeLattices[lattice].w;
+}
+
+// 1 within a lattice, 0 beyond it, and over its outer cells what is between.
+float latticeShare(int lattice, vec3 p)
+{
+    vec3 place = latticePlace(lattice, p);
+    vec3 inside = min(place - probeLatticeBounds[2 * lattice], probeLatticeBounds[2 * lattice + 1] - place);
+    return clamp(min(inside.x, min(inside.y, inside.z)), 0.0, 1.0);
+}
+
+ProbeCube cubeOfLattice(int lattice, vec3 p)
+{
+    vec3 place = clamp(latticePlace(lattice, p), vec3(0.0), vec3(probeCount - 1));
+    ivec3 first = min(ivec3(place), max(probeCount - 2, ivec3(0)));
+    return ProbeCube(first, place - vec3(first), probeLattices[lattice].w);
+}
+
+// grid: 0 of all the scene, then the lattices.
+ProbeCube cubeOf(int grid, vec3 p)
+{
+    if (grid == 0) return cubeOfScene(p);
+    return cubeOfLattice(grid - 1, p);
+}
+
+// The grid's eight probes, from the first-th of the cage on, with that sum of weights, or less where none of them sees the point.
+// Returns that sum.
+float addCage(inout ProbeCage cage, int first, int grid, float sum, vec3 point, vec3 n, vec3 v)
+{
+    vec3 lifted = point + 0.3 * cubeOf(grid, point).least * (0.7 * n + 0.3 * v);
+    ProbeCube cube = cubeOf(grid, lifted);
+    float all = 1e-3;
+    for (int k = 0; k < 8; ++k) {
+        ivec3 corner = ivec3(k & 1, k >> 1 & 1, k >> 2);
+        ivec3 at = min(cube.first + corner, probeCount - 1);
+        int probe = grid * probeCount.x * probeCount.y * probeCount.z + probeAt(at);
+        float w = probeWeight(probe, mix(1.0 - cube.share, cube.share, vec3(corner)), point, lifted, n);
+        cage.probe[first + k] = probe;
+        cage.weight[first + k] = w;
+        all += w;
+    }
+    for (int k = first; k < first + 8; ++k) cage.weight[k] *= sum / all;
+    return sum * (1.0 - 1e-3 / all);
+}
+
+// n: of the surface; v: to the eye, or n.
+ProbeCage probesAbout(vec3 point, vec3 n, vec3 v)
+{
+    int grid = 0;
+    float share = 1.0;
+    for (int i = 0; i < PROBE_LATTICES; ++i) {
+        float own = latticeShare(i, point);
+        grid = own > 0.0 ? i + 1 : grid;
+        share = own > 0.0 ? own : share;
+    }
+    ProbeCage cage;
+    float rest = 1.0 - addCage(cage, 0, grid, share, point, n, v);
+    addCage(cage, 8, max(grid - 1, 0), rest, point, n, v);
+    return cage;
+}
+#else
 // n: of the surface; v: to the eye, or n.
 ProbeCage probesAbout(vec3 point, vec3 n, vec3 v)
 {
     ProbeCage cage;
-    ProbeCell x = probeCell(0, point.x);
-    ProbeCell y = probeCell(1, point.y);
-    ProbeCell z = probeCell(2, point.z);
     // Off the surface, which the probes' distances blur.
-    vec3 lifted = point + 0.3 * min(x.width, min(y.width, z.width)) * (0.7 * n + 0.3 * v);
-    x = probeCell(0, lifted.x);
-    y = probeCell(1, lifted.y);
-    z = probeCell(2, lifted.z);
-    ivec3 first = ivec3(x.first, y.first, z.first);
-    vec3 share = vec3(x.share, y.share, z.share);
+    vec3 lifted = point + 0.3 * cubeOfScene(point).least * (0.7 * n + 0.3 * v);
+    ProbeCube cube = cubeOfScene(lifted);
     for (int k = 0; k < 8; ++k) {
         ivec3 corner = ivec3(k & 1, k >> 1 & 1, k >> 2);
-        ivec3 at = clamp(first + corner, ivec3(0), probeCount - 1);
-        int probe = (at.z * probeCount.y + at.y) * probeCount.x + at.x;
-        vec3 linear = mix(1.0 - share, share, vec3(corner));
-        vec4 own = texelFetch(probePlaceMap, probeTexel(probe), 0);
-        vec3 to = own.xyz - point;
-        float facing = 0.5 * dot(to, n) * inversesqrt(max(dot(to, to), 1e-30)) + 0.5;
-        float w = max(linear.x * linear.y * linear.z, 1e-4) * (facing * facing + 0.2);
-        vec3 from = lifted - own.xyz;
-        float distance = length(from);
-        w *= probeSees(probe, from / max(distance, 1e-20), distance);
-        w = w < 0.2 ? w * w * w / 0.04 : w;  // what hardly counts counts less: no light comes through walls
-        cage.probe[k] = probe;
-        cage.weight[k] = own.w * w;
+        ivec3 at = min(cube.first + corner, probeCount - 1);
+        cage.probe[k] = probeAt(at);
+        cage.weight[k] = probeWeight(cage.probe[k], mix(1.0 - cube.share, cube.share, vec3(corner)), point, lifted, n);
     }
     return cage;
 }
+#endif
 
 // What surfaces send about a direction.
 struct SentAbout {
@@ -104,7 +196,7 @@ SentAbout sentAbout(ProbeCage cage, vec3 d)
 {
     vec4 sum = vec4(0.0);
     float weights = 0.0;
-    for (int k = 0; k < 8; ++k) {
+    for (int k = 0; k < CAGE_PROBES; ++k) {
         if (cage.weight[k] <= 0.0) continue;
         sum += cage.weight[k] * probeLookup(probeIrradianceMap, cage.probe[k], float(PROBE_IRRADIANCE_SIDE), d);
         weights += cage.weight[k];

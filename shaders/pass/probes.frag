@@ -8,7 +8,6 @@
 uniform sampler2D harmonicsMap0;  // as pass/probeharmonics.frag
 uniform sampler2D harmonicsMap1;
 uniform sampler2D harmonicsMap2;
-uniform ivec3 probeCount;
 uniform int probeColumns;
 
 layout(location = 0) out vec4 sent;  // radiance times share; share
@@ -20,7 +19,7 @@ void main()
     ivec2 map = p / tile;
     int probe = map.y * probeColumns + map.x;
     sent = vec4(0.0);
-    if (probe >= probeCount.x * probeCount.y * probeCount.z) return;
+    if (probe >= textureSize(harmonicsMap0, 0).y) return;
     ivec2 inner = foldedTexel(p - map * tile - 1, PROBE_IRRADIANCE_SIDE);
     vec3 d = directionFromOctahedral((vec2(inner) + 0.5) / float(PROBE_IRRADIANCE_SIDE));
     for (int i = 0; i < PROBE_HARMONICS / HARMONICS_TEXTURES; ++i) {

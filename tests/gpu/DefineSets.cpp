@@ -33,9 +33,16 @@ const std::vector<Defines> alternatives = {
 
 // The first only with the second, in programs that import both.
 const std::vector<std::pair<std::string, std::string>> needs = {
-    {"SUNS_OVER_4", "SUNS_OVER_2"},          {"SUNS_OVER_6", "SUNS_OVER_4"},  {"BACKGROUND_BLUR", "BACKGROUND"},
-    {"HAS_OCCLUSION", "HAS_DIFFUSE"},        {"HAS_BOUNCE", "HAS_OCCLUSION"}, {"SUN_DIFFUSE", "HAS_SUNS"},
-    {"HAS_NEIGHBOURHOOD", "HAS_ATLAS"},      {"TEMPORAL", "ANTIALIASED"},     {"HAS_LOBES", "HAS_ATLAS"},
+    {"SUNS_OVER_4", "SUNS_OVER_2"},
+    {"SUNS_OVER_6", "SUNS_OVER_4"},
+    {"BACKGROUND_BLUR", "BACKGROUND"},
+    {"HAS_OCCLUSION", "HAS_DIFFUSE"},
+    {"HAS_BOUNCE", "HAS_OCCLUSION"},
+    {"SUN_DIFFUSE", "HAS_SUNS"},
+    {"HAS_PROBE_LATTICES", "HAS_NEIGHBOURHOOD"},
+    {"HAS_NEIGHBOURHOOD", "HAS_ATLAS"},
+    {"TEMPORAL", "ANTIALIASED"},
+    {"HAS_LOBES", "HAS_ATLAS"},
     {"HAS_ANISOTROPY", "HAS_COOK_TORRANCE"},
 };
 

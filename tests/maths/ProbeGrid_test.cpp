@@ -165,13 +165,52 @@ TEST(ProbeGrid, IsFinerWhereTheSceneIs)
     addQuad(scene, ground, osg::Vec3f(-100, -100, 0), osg::Vec3f(200, 0, 0), osg::Vec3f(0, 200, 0));
     for (int i = 0; i < 4; ++i) addSphere(scene, balls, osg::Vec3f(float(2 * i - 3), 0, 1), 1.0f, 16);
     const Probed probed(scene, 8);
-    for (const std::vector<float>& planes : probed.grid.planes)
+    for (const std::vector<float>& planes : probed.grid.levels[0].planes)
         for (size_t i = 1; i < planes.size(); ++i) EXPECT_LT(planes[i - 1], planes[i]);
-    const std::vector<float>& x = probed.grid.planes[0];
+    const std::vector<float>& x = probed.grid.levels[0].planes[0];
     EXPECT_GE(std::count_if(x.begin(), x.end(), [](float v) { return std::abs(v) < 15.0f; }), 4);
     EXPECT_GE(std::count_if(x.begin(), x.end(), [](float v) { return std::abs(v) > 20.0f; }), 2);
     EXPECT_EQ(8u, x.size());
-    EXPECT_EQ(4u, probed.grid.planes[2].size());
+    EXPECT_EQ(4u, probed.grid.levels[0].planes[2].size());
+}
+
+// Of a scene far larger than what a view shows: two grids of cubes besides, the second a third of the first. Half a cell within
+// the scene's bound, on places that do not depend on the centre.
+TEST(ProbeGrid, IsFinerAboutTheFocus)
+{
+    TracedScene plain;
+    addBox(plain, addSurface(plain, true), osg::Vec3f(-200, -200, 0), osg::Vec3f(200, 200, 20));
+    const CasterBvh bvh(plain);
+    const std::vector<SurfacePoint> points = placeSurfacePoints(plain, 256);
+    const NearestPoint nearest(points, plain, bvh);
+    const auto levelsAbout = [&](const osg::Vec3d& center) {
+        const ProbeGrid grid(plain, bvh, nearest, 4, {center, 30.0});
+        EXPECT_EQ(3u * 4 * 4 * 2, grid.probes());
+        EXPECT_EQ(grid.probes() * ProbeGrid::directions().size(), grid.links.size());
+        return grid.levels;
+    };
+    const auto levels = levelsAbout(osg::Vec3d(47, -40, 2)), moved = levelsAbout(osg::Vec3d(54, -40, 2));
+    ASSERT_EQ(3u, levels.size());
+    using Vector = std::vector<float>;
+    using Ends = std::array<bool, 2>;
+    const auto expectNear = [](const Vector& expected, const Vector& planes) {
+        ASSERT_EQ(expected.size(), planes.size());
+        for (size_t i = 0; i < planes.size(); ++i) EXPECT_NEAR(expected[i], planes[i], 1e-3f) << i;
+    };
+    expectNear({10, 30, 50, 70}, levels[1].planes[0]);
+    expectNear({30, 50, 70, 90}, moved[1].planes[0]);
+    expectNear({-70, -50, -30, -10}, levels[1].planes[1]);
+    expectNear({-10, 10}, levels[1].planes[2]);  // higher than the scene
+    EXPECT_EQ((Ends{true, true}), levels[1].ends[2]);
+    const float third = 20.0f / 3.0f;
+    const Vector &fine = levels[2].planes[0], &movedFine = moved[2].planes[0];
+    expectNear({fine[0], fine[0] + third, fine[0] + 2 * third, fine[0] + 3 * third}, fine);
+    EXPECT_NEAR(47.0f, 0.5f * (fine[0] + fine[3]), 0.51f * third);
+    expectNear({fine[1], fine[2], fine[3], fine[3] + third}, movedFine);
+    expectNear(levels[2].planes[1], moved[2].planes[1]);
+    expectNear({0.5f * third, 1.5f * third}, levels[2].planes[2]);
+    EXPECT_EQ((Ends{true, false}), levels[2].ends[2]);
+    EXPECT_EQ((Ends{false, false}), levels[2].ends[0]);
 }
 
 TEST(ProbeGrid, StopsWhenItIsNoLongerWanted)
@@ -181,7 +220,7 @@ TEST(ProbeGrid, StopsWhenItIsNoLongerWanted)
     const std::vector<SurfacePoint> points = placeSurfacePoints(room, 100);
     const NearestPoint nearest(points, room, bvh);
     const std::atomic<bool> stop{true};
-    EXPECT_EQ(0u, ProbeGrid(room, bvh, nearest, 8, &stop).probes());
+    EXPECT_EQ(0u, ProbeGrid(room, bvh, nearest, 8, {}, &stop).probes());
 }
 
 }  // namespace ProbeGrid_test

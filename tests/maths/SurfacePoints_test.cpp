@@ -46,6 +46,28 @@ TEST(SurfacePoints, AreAsManyAsTheAreaOfEachSide)
     }
 }
 
+// Whatever the triangles: two of them are a plain 400 wide.
+TEST(SurfacePoints, AreDenserAboutTheFocus)
+{
+    TracedScene plain;
+    addQuad(plain, addSurface(plain, true), osg::Vec3f(-200, -200, 0), osg::Vec3f(400, 0, 0), osg::Vec3f(0, 400, 0));
+    const TransportFocus focus{osg::Vec3d(50, 20, 0), 40.0};
+    EXPECT_EQ(0.5, focus.density(10.0) / focus.density(0.0));
+    const std::vector<SurfacePoint> points = placeSurfacePoints(plain, 4096, focus);
+    ASSERT_EQ(4096u, points.size());
+    const auto countWithin = [&](double least, double most) {
+        return double(std::count_if(points.begin(), points.end(), [&](const SurfacePoint& p) {
+            const double d = (osg::Vec3d(p.position) - focus.center).length();
+            return d >= least && d < most;
+        }));
+    };
+    // Rings about the centre, by the integral of 1/(1 + (d/10)^2): pi 100 ln(1 + (d/10)^2).
+    const auto share = [](double d) { return std::log(1.0 + d * d / 100.0); };
+    const double perShare = countWithin(0.0, 150.0) / share(150.0);
+    for (const auto& [least, most] : {std::pair(0.0, 10.0), std::pair(10.0, 40.0), std::pair(40.0, 150.0)})
+        EXPECT_NEAR(1.0, countWithin(least, most) / (perShare * (share(most) - share(least))), 0.1) << least;
+}
+
 TEST(SurfacePoints, AreSpreadEvenlyOverLargeTriangles)
 {
     TracedScene scene;

@@ -147,7 +147,7 @@ TEST(TransportWorker, MakesTheNewestAlone)
     EXPECT_FALSE(worker.take());
     for (int i = 0; i < 20; ++i)
         worker.post([i](const std::atomic<bool>& stop) {
-            return osg::ref_ptr<TransportScene>(new TransportScene(makeBody(), osg::Vec3d(i, 0, 0), 4, false, &stop));
+            return osg::ref_ptr<TransportScene>(new TransportScene(makeBody(), osg::Vec3d(i, 0, 0), 4, false, {}, &stop));
         });
     EXPECT_TRUE(worker.busy());
     const osg::ref_ptr<TransportScene> made = waitFor(worker);

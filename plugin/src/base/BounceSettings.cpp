@@ -15,7 +15,8 @@ std::vector<SettingsProperty> BounceSettings::properties()
                "surfaces, "
                "seen by probes about each pixel"),
         number("bounceProbes", &S::bounceProbes, 4, 32, "probes",
-               "of bounce=probes: along the longer sides of the scene, half as many along the shortest"),
+               "of bounce=probes: along the longer sides of the scene, half as many along the shortest; as many in each of two "
+               "finer grids where the view shows a small part of a large scene, and there at most 20"),
         choice(
             "caustics", &S::caustics, {"off", "auto", "on"},
             "of bounce=probes: polished metal throws suns and lamps onto other surfaces, by virtual lights; else it sends their "

@@ -132,19 +132,17 @@ osg::StateSet& FrameResources::placeState(const std::string& pass, const Places&
     return *state;
 }
 
-osg::StateSet& FrameResources::pointState(int rows, int turn, const osg::Vec3d& inSunMaps, double lift)
+osg::StateSet& FrameResources::pointState(int rows, int turn, const osg::Vec3d& inSunMaps)
 {
     if (!_pointState) {
         _pointState = new osg::StateSet;
         _pointState->addUniform(new osg::Uniform("pointRows", rows));
         _pointState->addUniform(new osg::Uniform("pointTurn", turn));
         _pointState->addUniform(new osg::Uniform("pointsInSunMaps", osg::Vec3()));
-        _pointState->addUniform(new osg::Uniform("pointLift", 0.0f));
     }
     _pointState->getUniform("pointRows")->set(rows);
     _pointState->getUniform("pointTurn")->set(turn);
     _pointState->getUniform("pointsInSunMaps")->set(osg::Vec3(inSunMaps));
-    _pointState->getUniform("pointLift")->set(float(lift));
     return *_pointState;
 }
 

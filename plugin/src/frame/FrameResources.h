@@ -77,9 +77,8 @@ class OSGENVLIGHT_EXPORT FrameResources : public osg::Referenced
     };
     /** Uniforms of pass/receivedlight.glsl. */
     osg::StateSet& placeState(const std::string& pass, const Places& places);
-    /** Uniforms of pass/points.frag: which rows are due, where the points' origin lies about that of the suns' maps, how far off
-     * its surface a point asks them. */
-    osg::StateSet& pointState(int rows, int turn, const osg::Vec3d& inSunMaps, double lift);
+    /** Uniforms of pass/points.frag: which rows are due, where the points' origin lies about that of the suns' maps. */
+    osg::StateSet& pointState(int rows, int turn, const osg::Vec3d& inSunMaps);
     /** Uniforms of what reads the virtual lights, and of what they are made from. */
     osg::StateSet& causticState(const Caustics& caustics);
     /** Uniforms of pass/indirect.frag. */

@@ -18,6 +18,7 @@ namespace
 {
 
 constexpr int depthSide = limits::PROBE_DEPTH_SIDE;
+constexpr double finer = 3.0;  // a level about the focus than the one about it
 
 // Texels of the depth map and the rays that each averages, by cos^40 of the angle between [indirect.md 4].
 struct DepthTexel {
@@ -94,15 +95,31 @@ std::vector<float> planesAlong(const std::vector<Extent>& triangles, const Exten
     return planes;
 }
 
-std::array<std::vector<float>, 3> planesFor(const TracedScene& scene, int most)
+osg::BoundingBoxf boundOf(const TracedScene& scene)
 {
     osg::BoundingBoxf box;
     for (size_t i = 0; i < scene.triangles.size(); ++i)
         for (int corner = 0; corner < 3; ++corner) box.expandBy(scene.corner(i, corner));
+    return box;
+}
+
+// Of a level's planes.
+std::array<int, 3> countsFor(const osg::BoundingBoxf& scene, int most)
+{
+    const osg::Vec3f size = scene._max - scene._min;
+    const size_t shortest = size.z() <= size.x() && size.z() <= size.y() ? 2 : size.y() <= size.x() ? 1 : 0;
+    std::array<int, 3> counts = {most, most, most};
+    counts[shortest] = std::max(most / 2, 1);
+    return counts;
+}
+
+ProbeGrid::Planes planesFor(const TracedScene& scene, int most)
+{
+    const osg::BoundingBoxf box = boundOf(scene);
     const osg::Vec3f size = box._max - box._min;
-    const int shortest = size.z() <= size.x() && size.z() <= size.y() ? 2 : size.y() <= size.x() ? 1 : 0;
+    const std::array<int, 3> counts = countsFor(box, most);
     const float least = 0.02f * size.length() + 1e-20f;  // a plane's box has a height, too
-    std::array<std::vector<float>, 3> planes;
+    ProbeGrid::Planes planes;
     std::vector<Extent> triangles(scene.triangles.size());
     for (int k = 0; k < 3; ++k) {
         for (size_t i = 0; i < triangles.size(); ++i) {
@@ -110,10 +127,48 @@ std::array<std::vector<float>, 3> planesFor(const TracedScene& scene, int most)
             triangles[i] = {low, high};
         }
         const float more = 0.5f * std::max(least - size[k], 0.0f);
-        planes[size_t(k)] =
-            planesAlong(triangles, {box._min[k] - more, box._max[k] + more}, k == shortest ? std::max(most / 2, 1) : most);
+        planes[size_t(k)] = planesAlong(triangles, {box._min[k] - more, box._max[k] + more}, counts[size_t(k)]);
     }
     return planes;
+}
+
+// @param side  of its box, where that has most probes
+ProbeGrid::Level latticeAbout(const osg::Vec3d& center, double side, const osg::BoundingBoxf& scene, int most)
+{
+    const double cell = side / std::max(most - 1, 1);
+    const std::array<int, 3> counts = countsFor(scene, most);
+    ProbeGrid::Level level;
+    for (size_t k = 0; k < 3; ++k) {
+        // As the planes of all the scene, half a cell within its bound. Nothing lies beyond that.
+        const double low = double(scene._min[int(k)]), last = (double(scene._max[int(k)]) - low) / cell - counts[k];
+        const double wanted = (center[int(k)] - low) / cell - 0.5 * counts[k];
+        const double first = std::round(last > 0.0 ? std::clamp(wanted, 0.0, last) : 0.5 * last);
+        for (int i = 0; i < counts[k]; ++i) level.planes[k].push_back(float(low + (first + i + 0.5) * cell));
+        level.ends[k] = {first <= 0.0, first >= last - 0.5};
+    }
+    return level;
+}
+
+// Cells between the planes about one of them.
+struct Spacing {
+    float least = std::numeric_limits<float>::max();
+    osg::Vec3f widest;
+};
+
+Spacing spacingAt(const ProbeGrid::Planes& planes, const std::array<int, 3>& at)
+{
+    Spacing spacing;
+    for (size_t k = 0; k < 3; ++k) {
+        const std::vector<float>& p = planes[k];
+        const auto i = size_t(at[k]);
+        for (const size_t upper : {i, i + 1}) {
+            if (upper == 0 || upper == p.size()) continue;
+            const float cell = p[upper] - p[upper - 1];
+            spacing.least = std::min(spacing.least, cell);
+            spacing.widest[int(k)] = std::max(spacing.widest[int(k)], cell);
+        }
+    }
+    return spacing;
 }
 
 // A number in [0,1) that looks random, the same for the same triangle and ray.
@@ -152,34 +207,45 @@ const std::vector<ProbeGrid::Direction>& ProbeGrid::directions()
 }
 
 ProbeGrid::ProbeGrid(const TracedScene& scene, const CasterBvh& bvh, const NearestPoint& nearest, int most,
-                     const std::atomic<bool>* stop)
-    : planes(planesFor(scene, most))
+                     const TransportFocus& focus, const std::atomic<bool>* stop)
 {
+    levels.push_back({planesFor(scene, most), {}});
+    double side = 2.0 * focus.radius;
+    for (int i = 0; focus.radius > 0.0 && i < limits::PROBE_LATTICES; ++i, side /= finer)
+        levels.push_back(latticeAbout(focus.center, side, boundOf(scene), most));
+    for (const Level& level : levels) addLevel(scene, bvh, nearest, level, stop);
+}
+
+void ProbeGrid::addLevel(const TracedScene& scene, const CasterBvh& bvh, const NearestPoint& nearest, const Level& level,
+                         const std::atomic<bool>* stop)
+{
+    const size_t first = probes();
+    const Planes& planes = level.planes;
     std::array<int, 3> at{};
     for (at[2] = 0; at[2] < int(planes[2].size()); ++at[2])
         for (at[1] = 0; at[1] < int(planes[1].size()); ++at[1])
             for (at[0] = 0; at[0] < int(planes[0].size()); ++at[0]) {
                 if (stop && *stop) return;
-                const osg::Vec3f middle(planes[0][size_t(at[0])], planes[1][size_t(at[1])], planes[2][size_t(at[2])]);
-                Place place{middle, true};
-                const std::vector<Seen> seen = settle(scene, bvh, place, spacing(at));
+                Place place{osg::Vec3f(planes[0][size_t(at[0])], planes[1][size_t(at[1])], planes[2][size_t(at[2])]), true};
+                const Spacing spacing = spacingAt(planes, at);
+                const std::vector<Seen> seen = settle(scene, bvh, place, spacing.least);
                 places.push_back(place);
                 addLinks(scene, nearest, place, seen);
-                addDepths(seen, at);
+                addDepths(seen, spacing.widest.length());
             }
-    replaceThoseOff();
+    replaceThoseOff(first);
 }
 
-// Where a wall is thicker than a cell, all eight probes about it lie within.
-void ProbeGrid::replaceThoseOff()
+// Where a wall is thicker than a cell, all eight probes about it lie within. first: of the last level's.
+void ProbeGrid::replaceThoseOff(size_t first)
 {
     std::vector<size_t> on;
-    for (size_t i = 0; i < probes(); ++i)
+    for (size_t i = first; i < probes(); ++i)
         if (places[i].on) on.push_back(i);
     const auto copy = [](auto& values, size_t count, size_t from, size_t to) {
         std::copy_n(values.begin() + std::ptrdiff_t(from * count), count, values.begin() + std::ptrdiff_t(to * count));
     };
-    for (size_t i = 0; i < probes() && !on.empty(); ++i) {
+    for (size_t i = first; i < probes() && !on.empty(); ++i) {
         if (places[i].on) continue;
         const osg::Vec3f place = places[i].position;
         const size_t nearest = *std::min_element(on.begin(), on.end(), [&](size_t a, size_t b) {
@@ -204,18 +270,6 @@ void ProbeGrid::addLinks(const TracedScene& scene, const NearestPoint& nearest, 
         links.push_back(int(nearest.find(place.position + directions()[k].to * s.distance, s.back ? -normal : normal,
                                          scene.surfaceOf[size_t(s.triangle)])));
     }
-}
-
-float ProbeGrid::spacing(const std::array<int, 3>& at) const
-{
-    float least = std::numeric_limits<float>::max();
-    for (size_t k = 0; k < 3; ++k) {
-        const std::vector<float>& p = planes[k];
-        const auto i = size_t(at[k]);
-        if (i > 0) least = std::min(least, p[i] - p[i - 1]);
-        if (i + 1 < p.size()) least = std::min(least, p[i + 1] - p[i]);
-    }
-    return least;
 }
 
 std::vector<ProbeGrid::Seen> ProbeGrid::look(const TracedScene& scene, const CasterBvh& bvh, const osg::Vec3f& from) const
@@ -259,16 +313,10 @@ std::vector<ProbeGrid::Seen> ProbeGrid::settle(const TracedScene& scene, const C
     }
 }
 
-void ProbeGrid::addDepths(const std::vector<Seen>& seen, const std::array<int, 3>& at)
+void ProbeGrid::addDepths(const std::vector<Seen>& seen, float widest)
 {
     static const std::vector<DepthTexel> texels = makeDepthTexels();
-    osg::Vec3f widest;
-    for (int k = 0; k < 3; ++k) {
-        const std::vector<float>& p = planes[size_t(k)];
-        const int i = at[size_t(k)], before = std::max(i - 1, 0), after = std::min(i + 1, int(p.size()) - 1);
-        widest[k] = std::max(p[size_t(i)] - p[size_t(before)], p[size_t(after)] - p[size_t(i)]);
-    }
-    const float most = 1.5f * widest.length();  // no pixel within the grid asks a probe from farther away
+    const float most = 1.5f * widest;  // no pixel within the grid asks a probe from farther away
     for (const DepthTexel& texel : texels) {
         double weights = 0.0, sum = 0.0, squares = 0.0;
         for (const auto& [ray, weight] : texel.rays) {

@@ -11,17 +11,17 @@
 namespace osgEnvLight
 {
 
-/** Probes on a grid over a scene. Each knows, for directions all about, which surface point it sees: which does not change with
- * the light [indirect2.md 4].*/
+/** Probes on a grid over a scene, and in one far larger than what a view shows on two finer ones about that. Each knows, for
+ * directions all about, which surface point it sees: which does not change with the light [indirect2.md 4].*/
 struct OSGENVLIGHT_EXPORT ProbeGrid {
     /** What a probe sees in a direction, where that is no point. */
     enum Link : int { SKY = -1, BACK = -2 };
 
     /** @param nearest  of points of the scene, not none
-     * @param most     probes along the longer sides of the grid's box; half of these along the shortest
+     * @param most     probes along the longer sides of a grid's box; half of these along the shortest
      * @param stop     set by another thread: the rest stays empty */
     ProbeGrid(const TracedScene& scene, const CasterBvh& bvh, const NearestPoint& nearest, int most,
-              const std::atomic<bool>* stop = nullptr);
+              const TransportFocus& focus = {}, const std::atomic<bool>* stop = nullptr);
 
     /** The directions of all probes, texels of six faces of a cube, and their share of the sphere. */
     struct Direction {
@@ -32,14 +32,20 @@ struct OSGENVLIGHT_EXPORT ProbeGrid {
 
     size_t probes() const { return places.size(); }
 
-    /** Where the planes that probes belong to cross the axes, ascending: finer where the scene is. */
-    std::array<std::vector<float>, 3> planes;
+    using Planes = std::array<std::vector<float>, 3>;
+    struct Level {
+        Planes planes;                              // that probes belong to: where they cross the axes, ascending
+        std::array<std::array<bool, 2>, 3> ends{};  // along each axis whether the scene ends below and above it
+    };
+    /** First that of all the scene, finer where the scene is; then those about the focus, each of cubes. They lie on lattices
+     * that do not depend on its centre: where it moves, most places have a probe as before. */
+    std::vector<Level> levels;
     struct Place {
         osg::Vec3f position;  // may be off the planes, out of a body
         bool on;              // else it lies within one, and all that it knows is of the nearest that is on
     };
-    std::vector<Place> places;
-    std::vector<int> links;  // of all directions of the first probe, and so on
+    std::vector<Place> places;  // of each level, first along x
+    std::vector<int> links;     // of all directions of the first probe, and so on
     /** Of each probe an octahedral map of distances, depthSide texels a side: mean and mean square about a direction. */
     std::vector<std::array<float, 2>> depths;
 
@@ -51,10 +57,11 @@ struct OSGENVLIGHT_EXPORT ProbeGrid {
     };
     std::vector<Seen> look(const TracedScene& scene, const CasterBvh& bvh, const osg::Vec3f& from) const;
     std::vector<Seen> settle(const TracedScene& scene, const CasterBvh& bvh, Place& place, float cell) const;
-    float spacing(const std::array<int, 3>& at) const;
+    void addLevel(const TracedScene& scene, const CasterBvh& bvh, const NearestPoint& nearest, const Level& level,
+                  const std::atomic<bool>* stop);
     void addLinks(const TracedScene& scene, const NearestPoint& nearest, const Place& place, const std::vector<Seen>& seen);
-    void addDepths(const std::vector<Seen>& seen, const std::array<int, 3>& at);
-    void replaceThoseOff();
+    void addDepths(const std::vector<Seen>& seen, float widest);
+    void replaceThoseOff(size_t first);
 };
 
 }  // namespace osgEnvLight

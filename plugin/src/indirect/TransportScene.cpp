@@ -18,22 +18,30 @@ namespace
 
 constexpr int pointSide = limits::POINT_SIDE;
 constexpr int partSide = limits::POINT_PART_SIDE;
+
+const float beyond = 1e30f;  // cells: no surface lies there
+
+bool longer(const std::vector<float>& a, const std::vector<float>& b)
+{
+    return a.size() < b.size();
+}
+
 const float ofOthers = 0.02f;  // what a probe counts that stands for one within a body: only where there is none else
 
 }  // namespace
 
 TransportScene::TransportScene(const TracedScene& scene, const osg::Vec3d& place, int most, bool traced,
-                               const std::atomic<bool>* stop)
+                               const TransportFocus& view, const std::atomic<bool>* stop)
     : origin(place), triangles(scene.triangles.size())
 {
-    const std::vector<SurfacePoint> points = placeSurfacePoints(scene, unsigned(pointSide * pointSide));
+    const std::vector<SurfacePoint> points = placeSurfacePoints(scene, unsigned(pointSide * pointSide), view);
     if (points.empty()) return;
     const CasterBvh bvh(scene, stop);
-    const NearestPoint nearest(points, scene, bvh);
-    const ProbeGrid grid(scene, bvh, nearest, most, stop);
+    const NearestPoint nearest(points, scene, bvh, view);
+    const ProbeGrid grid(scene, bvh, nearest, most, view, stop);
     if (stop && *stop) return;
     const auto partsPerPoint = unsigned(partSide * partSide);
-    const std::vector<SurfacePart> parts = placeSurfaceParts(scene, points, nearest, partsPerPoint);
+    const std::vector<SurfacePart> parts = placeSurfaceParts(scene, points, nearest, partsPerPoint, view);
     if (traced && triangles <= SceneRays::mostTriangles) rays = new SceneRays(scene, bvh, parts, partsPerPoint);
     double area = 0.0;
     for (size_t i = 0; i < triangles; ++i)
@@ -70,21 +78,44 @@ void TransportScene::writeParts(const std::vector<SurfacePart>& parts)
     partNormals = normals.texture(GL_RGBA16F_ARB);
 }
 
+void TransportScene::writeLevels(const std::vector<ProbeGrid::Level>& levels)
+{
+    uniforms = new osg::StateSet;
+    const auto array = [&](const char* name, osg::Uniform::Type type, int elements) {
+        return uniforms->getOrCreateUniform(name, type, unsigned(elements));
+    };
+    const ProbeGrid::Planes& whole = levels.front().planes;
+    osg::Uniform* planes = array("probePlanes", osg::Uniform::FLOAT, 3 * limits::MOST_PROBES);
+    for (size_t k = 0; k < 3; ++k) {
+        count[k] = int(whole[k].size());
+        for (size_t i = 0; i < whole[k].size(); ++i) planes->setElement(unsigned(k * limits::MOST_PROBES + i), whole[k][i]);
+    }
+    array("probeCount", osg::Uniform::INT_VEC3, 1)->set(count[0], count[1], count[2]);
+    lattices = int(levels.size()) - 1;
+    if (lattices == 0) return;
+    osg::Uniform* places = array("probeLattices", osg::Uniform::FLOAT_VEC4, limits::PROBE_LATTICES);
+    osg::Uniform* bounds = array("probeLatticeBounds", osg::Uniform::FLOAT_VEC3, 2 * limits::PROBE_LATTICES);
+    for (unsigned i = 0; i < unsigned(lattices); ++i) {
+        const ProbeGrid::Level& level = levels[i + 1];
+        const std::vector<float>& longest = std::max(level.planes[0], level.planes[1], longer);
+        places->setElement(i, osg::Vec4f(level.planes[0][0], level.planes[1][0], level.planes[2][0], longest[1] - longest[0]));
+        osg::Vec3f low, high;
+        for (int k = 0; k < 3; ++k) {
+            const auto& ends = level.ends[size_t(k)];
+            low[k] = ends[0] ? -beyond : 0.0f;
+            high[k] = ends[1] ? beyond : float(count[size_t(k)] - 1);
+        }
+        bounds->setElement(2 * i, low);
+        bounds->setElement(2 * i + 1, high);
+    }
+}
+
 void TransportScene::writeProbes(const ProbeGrid& grid)
 {
-    for (size_t k = 0; k < 3; ++k) count[k] = int(grid.planes[k].size());
+    writeLevels(grid.levels);
     const int probes = int(grid.probes());
     columns = int(std::ceil(std::sqrt(double(probes))));
-    uniforms = new osg::StateSet;
-    const osg::ref_ptr<osg::Uniform> counts = new osg::Uniform(osg::Uniform::INT_VEC3, "probeCount");
-    counts->set(count[0], count[1], count[2]);
-    uniforms->addUniform(counts);
     uniforms->addUniform(new osg::Uniform("probeColumns", columns));
-    const osg::ref_ptr<osg::Uniform> planes = new osg::Uniform(osg::Uniform::FLOAT, "probePlanes", 3 * limits::MOST_PROBES);
-    for (size_t k = 0; k < 3; ++k)
-        for (size_t i = 0; i < grid.planes[k].size(); ++i)
-            planes->setElement(unsigned(k * limits::MOST_PROBES + i), grid.planes[k][i]);
-    uniforms->addUniform(planes);
     Texels places(columns, columns, 4);
     for (int i = 0; i < probes; ++i) places.put(i, grid.places[size_t(i)].position, grid.places[size_t(i)].on ? 1.0f : ofOthers);
     probePlaces = places.texture(GL_RGBA32F_ARB);

@@ -17,11 +17,12 @@ class OSGENVLIGHT_EXPORT TransportScene : public osg::Referenced
   public:
     /** Takes from milliseconds to seconds: for a thread of its own.
      * @param scene   about an origin
+     * @param view    about the same
      * @param origin  of the scene, in the world
      * @param most    as of ProbeGrid
      * @param traced  rays are to meet it
      * @param stop    set by another thread: empty() */
-    TransportScene(const TracedScene& scene, const osg::Vec3d& origin, int most, bool traced,
+    TransportScene(const TracedScene& scene, const osg::Vec3d& origin, int most, bool traced, const TransportFocus& view = {},
                    const std::atomic<bool>* stop = nullptr);
 
     /** There is no surface that could send light on, or it was stopped. */
@@ -30,8 +31,10 @@ class OSGENVLIGHT_EXPORT TransportScene : public osg::Referenced
     const osg::Vec3d origin;
     const size_t triangles;
     double pointSpacing = 0.0;   // side of the square that a surface point stands for
-    std::array<int, 3> count{};  // probes along each axis
-    int columns = 0;             // probes side by side in the textures of probes
+    std::array<int, 3> count{};  // probes along each axis, of each level
+    int lattices = 0;            // levels about the view, besides that of all the scene
+    int probes() const { return (1 + lattices) * count[0] * count[1] * count[2]; }
+    int columns = 0;  // probes side by side in the textures of probes
 
     // POINT_SIDE x POINT_SIDE, one texel a point: position; normal and 1.
     osg::ref_ptr<osg::Texture2D> pointPlaces, pointNormals;
@@ -74,6 +77,7 @@ class OSGENVLIGHT_EXPORT TransportScene : public osg::Referenced
     void writePoints(const std::vector<SurfacePoint>& points);
     void writeParts(const std::vector<SurfacePart>& parts);
     void writeProbes(const ProbeGrid& grid);
+    void writeLevels(const std::vector<ProbeGrid::Level>& levels);
     osg::ref_ptr<osg::Texture2D> ofPoints(const StaticCasters::Parts& parts, osg::Vec3f SentLight::*member) const;
     osg::ref_ptr<osg::Texture2D> ofSome(const StaticCasters::Parts& parts, osg::Vec3f SentLight::*member) const;
     std::vector<osg::Texture2D*> textures() const;

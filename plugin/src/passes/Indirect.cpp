@@ -46,6 +46,8 @@ PointsPass::Key PointsPass::keyOf(const FrameContext& c)
     key.textures = c.textures.get();
     key.sky = c.skyMaps;
     key.skyVersion = c.skyMaps->version();
+    key.nearSky = c.nearSkyMaps;
+    key.nearSkyVersion = c.nearSkyMaps ? c.nearSkyMaps->version() : 0;
     key.suns = c.sunMaps;
     key.sunsVersion = c.sunMaps ? c.sunMaps->version() : 0;
     key.emitters = c.emitterMaps;
@@ -80,7 +82,7 @@ void PointsPass::update(FrameContext& c)
     const bool changed = light.fresh || !(key == _key);
     const bool immediate = c.settings.regeneration == Settings::IMMEDIATE;
     const bool neverMirrored = light.glossy && !_key.glossy;
-    const bool atOnce = light.fresh || neverMirrored || immediate;
+    const bool atOnce = light.fresh || neverMirrored || immediate || key.scene != _key.scene;
     _key = key;
     if (changed) {
         light.turns = atOnce ? 1 : lightTurns;
@@ -103,7 +105,7 @@ void PointsPass::setup(PassBuilder& b, FrameContext& c)
     if (light.rows == 0) return;
     b.bind(light.scene->pointPlaces, "pointPlaceMap");
     b.bind(light.scene->pointNormals, "pointNormalMap");
-    readSkyMaps(b, c, "atlas", *c.skyMaps, nullptr);
+    readSkyMaps(b, c, "atlas", *c.skyMaps, c.nearSkyMaps);
     readReceivedLight(b, c, name(), *c.skyMaps);
     const bool hasSuns = c.sunMaps && c.decisions.sunDiffuse;
     if (hasSuns || c.sceneLightMaps) {
@@ -117,7 +119,7 @@ void PointsPass::setup(PassBuilder& b, FrameContext& c)
         readSunMaps(b, c);
         inSunMaps = light.scene->origin - c.sunMaps->targets().origin;
     }
-    b.frameUniforms(&c.frame.pointState(int(light.rows), int(c.number % light.rows), inSunMaps, 0.5 * c.skyMaps->texel()));
+    b.frameUniforms(&c.frame.pointState(int(light.rows), int(c.number % light.rows), inSunMaps));
     b.write(b.import("point light", light.targets.pointLight.get()));
     if (light.glossy) {
         b.define("HAS_GLOSS");
@@ -195,6 +197,7 @@ BounceDraw::States BouncesPass::statesOf(PassBuilder& b, FrameContext& c) const
         states.first = state("pass/pointradiance.frag", defines, points);
         defines.pop_back();
     }
+    if (scene.lattices > 0) defines.push_back("HAS_PROBE_LATTICES");
     points.push_back({"probePlaceMap", scene.probePlaces});
     points.push_back({"probeDepthMap", scene.probeDepths});
     points.push_back({"probeIrradianceMap", light.targets.probeIrradiance});

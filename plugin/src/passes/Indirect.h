@@ -21,8 +21,8 @@ class OSGENVLIGHT_EXPORT PointsPass : public RenderPass
   private:
     /** What the points' light depends on. */
     struct Key {
-        osg::ref_ptr<const osg::Referenced> scene, textures, sky, suns, emitters, lamps, diffuse, glossy, virtualLights;
-        unsigned skyVersion = 0, sunsVersion = 0, emittersVersion = 0, lampsVersion = 0;
+        osg::ref_ptr<const osg::Referenced> scene, textures, sky, nearSky, suns, emitters, lamps, diffuse, glossy, virtualLights;
+        unsigned skyVersion = 0, nearSkyVersion = 0, sunsVersion = 0, emittersVersion = 0, lampsVersion = 0;
         std::vector<osg::Vec4f> falloffs;  // of the application's lights, which their maps do not show
         std::vector<float> cones;
         osg::Matrixd mapFromWorld;
@@ -32,9 +32,9 @@ class OSGENVLIGHT_EXPORT PointsPass : public RenderPass
         {
             return scene == o.scene && textures == o.textures && sky == o.sky && suns == o.suns && emitters == o.emitters &&
                    emittersVersion == o.emittersVersion && diffuse == o.diffuse && glossy == o.glossy &&
-                   skyVersion == o.skyVersion && lamps == o.lamps && lampsVersion == o.lampsVersion && falloffs == o.falloffs &&
-                   cones == o.cones && sunsVersion == o.sunsVersion && mapFromWorld == o.mapFromWorld &&
-                   radianceScale == o.radianceScale && virtualLights == o.virtualLights;
+                   skyVersion == o.skyVersion && nearSky == o.nearSky && nearSkyVersion == o.nearSkyVersion && lamps == o.lamps &&
+                   lampsVersion == o.lampsVersion && falloffs == o.falloffs && cones == o.cones && sunsVersion == o.sunsVersion &&
+                   mapFromWorld == o.mapFromWorld && radianceScale == o.radianceScale && virtualLights == o.virtualLights;
         }
     };
     static Key keyOf(const FrameContext& context);

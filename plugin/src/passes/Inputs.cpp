@@ -162,6 +162,7 @@ void readReceivedLight(PassBuilder& b, FrameContext& c, const std::string& pass,
 
 void readProbes(PassBuilder& b, const IndirectLight& light)
 {
+    b.define("HAS_PROBE_LATTICES", light.scene->lattices > 0);
     b.bind(light.scene->probePlaces, "probePlaceMap");
     b.bind(light.scene->probeDepths, "probeDepthMap");
     b.bind(light.targets.probeIrradiance, "probeIrradianceMap");

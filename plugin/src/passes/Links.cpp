@@ -12,6 +12,8 @@ namespace osgEnvLight
 namespace
 {
 
+const double reserve = 0.1;    // of the focus' radius, that the view may move: a third of what the finest grid shows about it
+const int mostAboutView = 20;  // probes along an axis: they share what a texture's height allows
 const double shareStep = 1.0 / 16.0;  // by which the probes' answer takes the place of the mean in a frame
 
 double mostReflectedBy(const StaticCasters::Parts& parts)
@@ -30,8 +32,7 @@ Requirement requireProbes(const FrameContext& c)
     probes.unless(c.settings.bounce == Settings::BOUNCE_OFF, "switched off");
     probes.unless(c.settings.bounce == Settings::BOUNCE_MEAN, "bounce is mean");
     probes.unless(!c.decisions.occlusion.needed, "no light is blocked");
-    probes.unless(!c.decisions.atlas.needed, "without the atlas nobody knows how much of the map a surface sees");
-    return probes.unless(c.nearSkyMaps != nullptr, "the view shows too little of the scene for probes all over it");
+    return probes.unless(!c.decisions.atlas.needed, "without the atlas nobody knows how much of the map a surface sees");
 }
 
 Requirement LinksPass::require(const FrameContext& c) const
@@ -44,7 +45,9 @@ void LinksPass::update(FrameContext& c)
     if (_lost.exchange(false)) _light.fresh = true;
     const StaticCasters& casters = c.skyMaps->still();
     if (const osg::ref_ptr<TransportScene> made = _worker.take()) accept(made);
-    const Wanted wanted{c.skyMaps, casters.generation(), c.settings.bounceProbes, wantsRays(c)};
+    Wanted wanted{c.skyMaps, casters.generation(), c.settings.bounceProbes, wantsRays(c), focusOf(c)};
+    // A view that keeps moving gets what it is waiting for.
+    if (_worker.busy() && wanted.isOfSameCasters(_wanted)) wanted.focus = _wanted.focus;
     if (!(wanted == _wanted)) makeScene(c, wanted);
     if (_isShown && _sentVersion != casters.sentVersion()) {
         _sentVersion = casters.sentVersion();
@@ -58,6 +61,18 @@ void LinksPass::update(FrameContext& c)
     _light.isOfCasters = _isShown;
     c.indirect = _light.scene && !_light.scene->empty() ? &_light : nullptr;
     if (_worker.busy() || (c.indirect && _light.isSettling())) ++c.waitingBounces;
+}
+
+// About the eye where it is amid what the view shows. Stays while the view does not come near its border.
+TransportFocus LinksPass::focusOf(const FrameContext& c) const
+{
+    if (!c.nearSkyMaps) return {};
+    const osg::BoundingSphered& shown = c.nearSkyMaps->focus();
+    const osg::Vec3d eye = c.worldFromEye.getTrans();
+    const osg::Vec3d center = (eye - shown.center()).length() < shown.radius() ? eye : shown.center();
+    const TransportFocus& former = _wanted.focus;
+    if (former.radius == shown.radius() && (center - former.center).length() < reserve * former.radius) return former;
+    return {center, shown.radius()};
 }
 
 // From glossy surfaces, where the picture does not show what they meet; whether or not the view shows one. A scene that has rays
@@ -80,12 +95,15 @@ bool LinksPass::wantsRays(const FrameContext& c)
 
 void LinksPass::makeScene(const FrameContext& c, const Wanted& wanted)
 {
+    _isShown = _isShown && wanted.isOfSameCasters(_wanted);
     _wanted = wanted;
     _wantedParts = c.skyMaps->still().parts();
-    _isShown = false;
-    const auto make = [parts = _wantedParts, origin = c.skyMaps->origin(), probes = wanted.probes,
-                       traced = wanted.traced](const std::atomic<bool>* stop) {
-        return osg::ref_ptr<TransportScene>(new TransportScene(tracedScene(parts), origin, probes, traced, stop));
+    TransportFocus view = wanted.focus;
+    view.center -= c.skyMaps->origin();
+    const int probes = view.radius > 0.0 ? std::min(wanted.probes, mostAboutView) : wanted.probes;
+    const auto make = [parts = _wantedParts, origin = c.skyMaps->origin(), probes, traced = wanted.traced,
+                       view](const std::atomic<bool>* stop) {
+        return osg::ref_ptr<TransportScene>(new TransportScene(tracedScene(parts), origin, probes, traced, view, stop));
     };
     if (c.settings.regeneration == Settings::IMMEDIATE)
         accept(make(nullptr));
@@ -100,7 +118,7 @@ void LinksPass::accept(const osg::ref_ptr<TransportScene>& scene)
     _sentVersion = 0;
     if (scene->empty()) return;
     showSurfaces(_wantedParts);
-    const int probes = scene->count[0] * scene->count[1] * scene->count[2];
+    const int probes = scene->probes();
     if (probes != _light.targets.probes) {  // else what they saw in the former scene is a beginning in this one
         retireTargets();
         _light.targets = TransportTargets(scene->columns, probes);
@@ -156,8 +174,10 @@ void LinksPass::setup(PassBuilder&, FrameContext& c)
 {
     if (!c.indirect) return;
     const TransportScene& scene = *c.indirect->scene;
-    c.remark(", " + std::to_string(limits::POINT_SIDE * limits::POINT_SIDE) + " points, " + std::to_string(scene.count[0]) +
-             " x " + std::to_string(scene.count[1]) + " x " + std::to_string(scene.count[2]) + " probes");
+    c.remark(
+        ", " + std::to_string(limits::POINT_SIDE * limits::POINT_SIDE) + " points, " + std::to_string(scene.count[0]) + " x " +
+        std::to_string(scene.count[1]) + " x " + std::to_string(scene.count[2]) + " probes" +
+        (scene.lattices > 0 ? ", and as many in each of " + counted(size_t(scene.lattices), "grid") + " about the view" : ""));
 }
 
 void LinksPass::dismiss(FrameContext& c)

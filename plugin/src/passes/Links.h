@@ -40,12 +40,15 @@ class OSGENVLIGHT_EXPORT LinksPass : public RenderPass
         osg::observer_ptr<const ShadowAtlas> atlas;  // whose casters it shows
         unsigned generation = 0;                     // of these
         int probes = 0;
-        bool traced = false;  // rays are to meet it
+        bool traced = false;   // rays are to meet it
+        TransportFocus focus;  // in the world
+        bool isOfSameCasters(const Wanted& o) const { return atlas == o.atlas && generation == o.generation; }
         bool operator==(const Wanted& o) const
         {
-            return atlas == o.atlas && generation == o.generation && probes == o.probes && traced == o.traced;
+            return isOfSameCasters(o) && probes == o.probes && traced == o.traced && focus == o.focus;
         }
     };
+    TransportFocus focusOf(const FrameContext& context) const;
     bool wantsRays(const FrameContext& context);
     void makeScene(const FrameContext& context, const Wanted& wanted);
     void accept(const osg::ref_ptr<TransportScene>& scene);

@@ -21,7 +21,7 @@ class OSGENVLIGHT_EXPORT NearCascade
     const osg::BoundingSphered& sphere() const { return _sphere; }
 
     /** Of the scene's radius: no larger neighbourhood is worth maps of its own. */
-    static constexpr double largest = 0.25;
+    static constexpr double largest = 0.36;
 
   private:
     osg::BoundingSphered _sphere;
