@@ -37,6 +37,26 @@ osg::Vec3d groundAt(SceneRenderer& renderer, const Picture& p, int x, int y)
     return a + (b - a) * (-a.z() / (b.z() - a.z()));
 }
 
+struct Tally {
+    int count = 0;
+    double mean = 0.0;
+};
+
+// Pixels of such places on the ground.
+template <class Where>
+Tally tallyWhere(SceneRenderer& renderer, const Picture& p, const Where& where)
+{
+    Tally tally;
+    for (int y = 0; y < p.height; ++y)
+        for (int x = 0; x < p.width; ++x) {
+            if (!where(groundAt(renderer, p, x, y))) continue;
+            tally.mean += double(p.color(x, y)[0]);
+            ++tally.count;
+        }
+    tally.mean /= std::max(tally.count, 1);
+    return tally;
+}
+
 }  // namespace
 
 // A texel of the whole scene's map is a third of a unit wide: the penumbra of this edge, a seventh of one.
@@ -91,17 +111,30 @@ TEST(SunLevels, ReachFarAlongAStreet)
     lit->addChild(makeBox(osg::Vec3d(0, -130.2, 0), osg::Vec3d(0.4, -129.8, 4)));
     renderer.lookAt(osg::Vec3d(-3, -190, 20), osg::Vec3d(-3, -130, 0), osg::Vec3d(0, 0, 1), 30.0);
     const Picture p = renderer.render(lit);
-    double sum = 0.0;
-    int count = 0;
-    for (int y = 0; y < p.height; ++y)
-        for (int x = 0; x < p.width; ++x) {
-            const osg::Vec3d g = groundAt(renderer, p, x, y);
-            if (!(g.x() > -3.5 && g.x() < -0.3 && std::abs(g.y() + 130.0) < 0.15)) continue;
-            sum += p.color(x, y)[0];
-            ++count;
-        }
-    ASSERT_GT(count, 5);
-    EXPECT_LT(sum / count, 0.02);
+    const Tally shadow = tallyWhere(
+        renderer, p, [](const osg::Vec3d& g) { return g.x() > -3.5 && g.x() < -0.3 && std::abs(g.y() + 130.0) < 0.15; });
+    ASSERT_GT(shadow.count, 5);
+    EXPECT_LT(shadow.mean, 0.02);
+}
+
+// Few levels, each half as wide as the last, would have texels half a unit wide before the eye.
+TEST(SunLevels, ReachNearInAnEndlessPlain)
+{
+    SceneRenderer renderer(256, 192);
+    osg::ref_ptr<LitScene> lit = sunny(osg::Vec3d(1, 0, 1), 0.3);
+    lit->addChild(makeBox(osg::Vec3d(-2000, -2000, -1), osg::Vec3d(2000, 2000, 0)));
+    lit->addChild(makeBox(osg::Vec3d(0, -0.1, 0), osg::Vec3d(0.2, 0.1, 2)));
+    renderer.lookAt(osg::Vec3d(-1, -6, 1.7), osg::Vec3d(-1, 0, 0.5));
+    const Picture p = renderer.render(lit, 5);  // the fifth knows what the view shows
+    const Tally shadow =
+        tallyWhere(renderer, p, [](const osg::Vec3d& g) { return g.x() > -1.8 && g.x() < -0.1 && std::abs(g.y()) < 0.07; });
+    ASSERT_GT(shadow.count, 5);
+    EXPECT_LT(shadow.mean, 0.02);
+    const Tally beside = tallyWhere(renderer, p, [](const osg::Vec3d& g) {
+        return g.x() > -1.8 && g.x() < -0.1 && std::abs(g.y()) > 0.15 && std::abs(g.y()) < 0.4;
+    });
+    ASSERT_GT(beside.count, 5);
+    EXPECT_GT(beside.mean, 0.98);
 }
 
 // Levels move by whole texels: a view that comes back by another way sees the shadows that it saw.

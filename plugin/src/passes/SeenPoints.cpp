@@ -34,7 +34,7 @@ class ProbeTriangle : public FullScreen
 
 Requirement SeenPointsPass::require(const FrameContext& c) const
 {
-    Requirement probe = c.decisions.atlas;
+    Requirement probe = c.decisions.atlas.needed ? c.decisions.atlas : c.decisions.sunMaps;
     probe.unless(probe.needed && !mayShowLittle(c), "the view shows most of the scene");
     const Requirement points = requireChosenPoints(c);
     if (!probe.needed && points.needed) probe = points;

@@ -8,7 +8,7 @@ namespace osgEnvLight
 {
 
 /** Reads back some of the points that a view shows, while it or the scene moves and somebody asks: the shadow maps of a large
- * scene, and those of more area lights than there are points for. */
+ * scene and of its suns, and those of more area lights than there are points for. */
 class OSGENVLIGHT_EXPORT SeenPointsPass : public RenderPass
 {
   public:

@@ -3,6 +3,7 @@
 
 #include "base/Limits.h"
 #include "passes/Inputs.h"
+#include "passes/SkyShadows.h"
 #include "shadow/VisibleBoxes.h"
 
 #include <osgUtil/CullVisitor>
@@ -14,6 +15,19 @@ namespace osgEnvLight
 
 namespace
 {
+
+// A tenth of what the view shows is nearer. 0: it has not been measured since it was told.
+double nearDepth(const FrameContext& c)
+{
+    if (!mayShowLittle(c)) return 1e30;
+    if (!c.seen || c.seen->points.empty()) return 0.0;
+    const osg::Matrixd eyeFromWorld = osg::Matrixd::inverse(c.seen->worldFromEye);
+    std::vector<double> depths;
+    for (const osg::Vec3d& p : c.seen->points) depths.push_back(-(p * eyeFromWorld).z());
+    const auto tenth = depths.begin() + std::ptrdiff_t(depths.size() / 10);
+    std::nth_element(depths.begin(), tenth, depths.end());
+    return std::max(*tenth, 0.0);
+}
 
 Requirement requireSunMaps(const FrameContext& c)
 {
@@ -71,7 +85,7 @@ SunShadows& SunMaps::make(unsigned suns, unsigned levels, unsigned size)
 void SunMaps::update(FrameContext& c)
 {
     if (!c.hasFirstFrame()) {
-        const ShadowView view{c.worldFromEye, *c.cv.getProjectionMatrix(), c.height()};
+        const ShadowView view{c.worldFromEye, *c.cv.getProjectionMatrix(), c.height(), nearDepth(c)};
         const auto size = unsigned(c.settings.sunShadowSize);
         const VisibleBoxes boxes(c.casters, view);
         const unsigned levels = SunShadows::wantedLevels(c.casters.bound, view, boxes, size);

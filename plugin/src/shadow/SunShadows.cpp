@@ -14,8 +14,9 @@ namespace osgEnvLight
 namespace
 {
 
-const double coarsest = 1.0;  // pixels of the view that a texel may be wide
-const double spare = 1.25;    // a level's side, in sides of what it must show: how far the view may wander
+const double coarsest = 1.0;     // pixels of the view that a texel may be wide
+const double narrowest = 0.125;  // of a level's width, that the next has at least
+const double spare = 1.25;       // a level's side, in sides of what it must show: how far the view may wander
 
 // Up to which depth texels are wider than the view's pixels ask for; 0 where none are.
 double depthOfWideTexels(double texel, const ShadowView& view, const VisibleBoxes& boxes)
@@ -59,11 +60,11 @@ osg::Vec2d sidesFor(const osg::BoundingBoxd& needed, const osg::Vec2d& whole)
     return {level(spare * sidesOf(needed).x(), whole.x()), level(spare * sidesOf(needed).y(), whole.y())};
 }
 
-// A quarter of the area: the map of a long street is made shorter before it is made narrower.
-bool isFiner(const osg::Vec2d& sides, const osg::Vec2d& former)
+// By area: the map of a long street is made shorter before it is made narrower.
+bool isFiner(const osg::Vec2d& sides, const osg::Vec2d& former, double narrowing)
 {
-    return sides.x() <= former.x() && sides.y() <= former.y() &&
-           sides.x() * sides.y() <= 0.25 * (1.0 + 1e-9) * former.x() * former.y();
+    const double most = narrowing * narrowing * (1.0 + 1e-9) * former.x() * former.y();
+    return sides.x() <= former.x() && sides.y() <= former.y() && sides.x() * sides.y() <= most;
 }
 
 // Axes about the direction in which the box has the least bound: a low sun sees a floor as a narrow strip, and texels as
@@ -153,6 +154,16 @@ SunShadows::Rectangle SunShadows::snapped(const osg::BoundingBoxd& needed, const
             sides};
 }
 
+// The finest level is to have the view's pixels where that begins to show much. In steps, so that no view that wanders redraws
+// all.
+void SunShadows::fitNarrowing(const ShadowView& view)
+{
+    if (!(view.nearDepth > 0.0) || levels < 2) return;
+    const double finest = coarsest * view.footprint(view.nearDepth) * size / diagonal(_box);
+    const double wanted = std::clamp(std::pow(finest, 1.0 / (levels - 1)), narrowest, 0.5);
+    if (std::abs(std::log2(wanted / _narrowing)) > 0.4) _narrowing = std::exp2(0.5 * std::round(2.0 * std::log2(wanted)));
+}
+
 void SunShadows::fitLevels(const Sun& sun, const ShadowView& view, const VisibleBoxes& boxes, Rectangles& rectangles) const
 {
     const osg::BoundingBoxd scene = rectangleOf(sun.axes, cornersOf(_box));
@@ -167,7 +178,8 @@ void SunShadows::fitLevels(const Sun& sun, const ShadowView& view, const Visible
             continue;
         }
         const osg::Vec2d sides = sidesFor(needed, whole.sides);
-        const bool stays = isFiner(own.sides, former.sides) && own.area() <= 2.0 * sides.x() * sides.y() && own.contains(needed);
+        const bool stays =
+            isFiner(own.sides, former.sides, _narrowing) && own.area() <= 2.0 * sides.x() * sides.y() && own.contains(needed);
         if (!stays) own = snapped(needed, sides);
     }
 }
@@ -183,7 +195,7 @@ osg::BoundingBoxd SunShadows::nearPart(const Sun& sun, const ShadowView& view, c
     for (int step = 0; far > near && step < 8; ++step) {
         const double depth = step == 0 ? far : 0.5 * (near + far);
         const osg::BoundingBoxd r = boxes.rectangle(sun.axes, depth).intersect(scene);
-        const bool fits = isFiner(sidesFor(r, whole.sides), former.sides);
+        const bool fits = isFiner(sidesFor(r, whole.sides), former.sides, _narrowing);
         (fits ? near : far) = depth;
         if (fits) part = r;
     }
@@ -219,6 +231,7 @@ std::vector<ShadowRefresh> SunShadows::update(const CasterList& casters, const D
     const bool lost = _lost.exchange(false);
     std::vector<ShadowRefresh> refreshes;
     bool changed = fitted;
+    if (_box.valid()) fitNarrowing(view);
     for (unsigned i = 0; i < suns && _box.valid(); ++i) {
         Sun& sun = _suns[i];
         // A quarter of a texel of the whole scene's.

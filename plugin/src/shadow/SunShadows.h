@@ -17,7 +17,8 @@ namespace osgEnvLight
 {
 
 /** The shadow maps of a view's suns: for each, one of the whole scene, and where its texels are wider than a pixel of the
- * view, smaller ones about what the view shows near the eye, each of at most a quarter of the last one's area. Each holds
+ * view, smaller ones about what the view shows near the eye, each of at most a quarter of the last one's area,
+ * and of less where few of them are to reach near in a large scene. Each holds
  * heights along the direction to the sun, of the first surface and half-way to the second.
  *
  * A map stands in the world, on whole texels. It is drawn again when what casts shadows or the sun has moved, or the view
@@ -86,6 +87,7 @@ class OSGENVLIGHT_EXPORT SunShadows : public osg::Referenced
         bool lost = true;
     };
     bool fitScene(const osg::BoundingBoxd& bound);
+    void fitNarrowing(const ShadowView& view);
     void place(Sun& sun, const osg::Vec3d& direction) const;
     void fitLevels(const Sun& sun, const ShadowView& view, const VisibleBoxes& boxes, Rectangles& rectangles) const;
     osg::BoundingBoxd nearPart(const Sun& sun, const ShadowView& view, const VisibleBoxes& boxes, const Rectangle& whole,
@@ -96,6 +98,7 @@ class OSGENVLIGHT_EXPORT SunShadows : public osg::Referenced
     std::vector<Sun> _suns;
     ShownCasters _casters;
     osg::BoundingBoxd _box;
+    double _narrowing = 0.5;  // a level's width, in widths of the last, at most
     unsigned _drawn = 0;
     unsigned _version = 0;
     mutable std::atomic<bool> _lost{false};
