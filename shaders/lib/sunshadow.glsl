@@ -115,8 +115,9 @@ bool sunMayMeet(SunReceiver r, vec4 surface, float low, float high)
 // The ray is followed over intervals, each longer than the last. It may miss a thing that is much thinner than the disc is wide.
 // A surface found at an end of an interval blocks the ray in two cases. First, the ray meets it at the surface's own height: the
 // texel below the ray at that height is looked up, twice if its surface has another height, since a slope is a row of steps.
-// Second, the ray passes through it within the interval. So a sheet's edge is where it is, whatever the intervals are, and a ray
-// that passes beneath the sheet goes on.
+// Second, the ray comes from beneath it and within the interval passes above it, or above a lower one that hides the receiver, too: where
+// the map shows the upper one, the lower one goes on unseen. So a sheet's edge is where it is, whatever the intervals are, and a ray that
+// passes beneath the sheet alone goes on.
 // Each turn of a loop reads one texel: rays that run side by side on the GPU do not wait for one that does more.
 float sunBlocker(sampler2D sunMaps, SunMap m, SunReceiver r, vec2 xy, vec2 slope)
 {
@@ -152,7 +153,6 @@ float sunBlocker(sampler2D sunMaps, SunMap m, SunReceiver r, vec2 xy, vec2 slope
         }
     } while (passes && steps > 0);
     vec4 above = former;  // of the ray's two ends in SUN_PASS: where it is above the surface
-    vec4 below = former;
     int mode = SUN_MARCH;
     int tries = 0;
     float height = 0.0;  // at which the surface is asked, or the lower end of what is halved
@@ -171,14 +171,12 @@ float sunBlocker(sampler2D sunMaps, SunMap m, SunReceiver r, vec2 xy, vec2 slope
             bool isBelow = sunAbove(r, found, at);
             if (isBelow) {
                 height = at;
-                below = found;
             } else {
                 top = at;
                 above = found;
             }
             if (++tries == 5) {
-                float grain = sunGrain(m, xy + slope * top, speed * (top - height));
-                if (height > 0.0 && sunHides(r, above) && below.x - above.x <= SUN_STEEP * m.longer * (1.0 + grain)) return height;
+                if (height > 0.0 && sunHides(r, above)) return height;
                 next = SUN_MARCH;
             }
         } else {
@@ -203,7 +201,6 @@ float sunBlocker(sampler2D sunMaps, SunMap m, SunReceiver r, vec2 xy, vec2 slope
         if (next == SUN_PASS && mode != SUN_PASS) {
             height = low;
             top = high;
-            below = former;
             above = surface;
             tries = 0;
             if (!sunAbove(r, former, low) || sunAbove(r, surface, high)) next = SUN_MARCH;

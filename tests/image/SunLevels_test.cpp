@@ -137,6 +137,25 @@ TEST(SunLevels, ReachNearInAnEndlessPlain)
     EXPECT_GT(beside.mean, 0.98);
 }
 
+// A tower stands before a wall, both between the ground and the sun. Where the tower's edge crosses the wall, a map shows one of
+// them in a texel, and the other in the next.
+TEST(SunLevels, NoLightWhereAShadowsEdgeCrossesAnother)
+{
+    SceneRenderer renderer(256, 192);
+    for (const double radius : {0.3, 0.7, 1.5}) {
+        osg::ref_ptr<LitScene> lit = sunny(osg::Vec3d(1, 0.3, 1), radius);
+        lit->addChild(makeBox(osg::Vec3d(-20, -20, -1), osg::Vec3d(20, 20, 0)));
+        lit->addChild(makeBox(osg::Vec3d(1, -6, 0), osg::Vec3d(2, 6, 3)));
+        lit->addChild(makeBox(osg::Vec3d(4, -1, 0), osg::Vec3d(5, 1, 9)));
+        lookDown(renderer, osg::Vec3d(-0.3, -0.5, 0), 3.0);
+        const Picture p = renderer.render(lit);
+        const Tally shadow =
+            tallyWhere(renderer, p, [](const osg::Vec3d& g) { return g.x() > -1.5 && g.x() < 0.9 && std::abs(g.y()) < 3.0; });
+        ASSERT_GT(shadow.count, 10000);
+        EXPECT_EQ(0.0, shadow.mean) << radius;
+    }
+}
+
 // Levels move by whole texels: a view that comes back by another way sees the shadows that it saw.
 TEST(SunLevels, ShadowsDontSwim)
 {
