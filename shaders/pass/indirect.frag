@@ -29,9 +29,9 @@ void main()
     vec3 ray = viewRay(inverseProjection, pixelNdc(p));
     mat3 turn = mat3(atlasFromEye);
     vec3 normal = turn * n;
-    ProbeCage cage = probesAbout(vec3(atlasFromEye * vec4(pixelEye(p), 1.0)), normal, turn * -ray);
+    ProbesAbout probes = probesAbout(vec3(atlasFromEye * vec4(pixelEye(p), 1.0)), normal, turn * -ray);
     float hidden = 1.0 - ambientVisibility(p);
-    vec3 about = receivedFrom(sentAbout(cage, normal), hidden);
+    vec3 about = receivedFrom(sentAbout(probes, normal), hidden);
 #ifdef HAS_BOUNCE
     about = mix(hidden * meanRadiance(n) / radianceScale, about, probeShare);
 #endif
@@ -47,7 +47,7 @@ void main()
     if (isCoated(p)) top = pixelCoatNormal(p);
 #endif
     vec3 d = reflect(ray, top);
-    vec3 along = sentAbout(cage, turn * d).radiance;
+    vec3 along = sentAbout(probes, turn * d).radiance;
 #ifdef HAS_BOUNCE
     along = mix(meanRadiance(d) / radianceScale, along, probeShare);
 #endif

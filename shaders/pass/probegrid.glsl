@@ -31,15 +31,18 @@ vec4 probeLookup(sampler2D maps, int probe, float side, vec3 d)
     return textureLod(maps, (corner + octahedralFromDirection(d) * side) / vec2(textureSize(maps, 0)), 0.0);
 }
 
-// The eight probes about a point, and how much each counts there; or eight of a grid and eight of the next coarser one.
-#ifdef HAS_PROBE_LATTICES
-const int CAGE_PROBES = 16;
-#else
-const int CAGE_PROBES = 8;
-#endif
+// The eight probes of a grid about a point, and how much each counts there.
 struct ProbeCage {
-    int probe[CAGE_PROBES];
-    float weight[CAGE_PROBES];
+    int probe[8];
+    float weight[8];
+};
+
+struct ProbesAbout {
+    ProbeCage cage;
+#ifdef HAS_PROBE_LATTICES
+    ProbeCage coarser;  // of the next grid
+    int cages;          // 2 if that counts, too
+#endif
 };
 
 // From what a probe knows of its distances that way: 1 for what lies before them, less behind them [Donnelly, Lauritzen 2006].
@@ -126,35 +129,37 @@ ProbeCube cubeOfLattice(int lattice, vec3 p)
     return ProbeCube(first, place - vec3(first), probeLattices[lattice].w);
 }
 
+#endif
+
 // grid: 0 of all the scene, then the lattices.
 ProbeCube cubeOf(int grid, vec3 p)
 {
-    if (grid == 0) return cubeOfScene(p);
-    return cubeOfLattice(grid - 1, p);
-}
-
-// The grid's eight probes, from the first-th of the cage on, with that sum of weights, or less where none of them sees the point.
-// Returns that sum.
-float addCage(inout ProbeCage cage, int first, int grid, float sum, vec3 point, vec3 n, vec3 v)
-{
-    vec3 lifted = point + 0.3 * cubeOf(grid, point).least * (0.7 * n + 0.3 * v);
-    ProbeCube cube = cubeOf(grid, lifted);
-    float all = 1e-3;
-    for (int k = 0; k < 8; ++k) {
-        ivec3 corner = ivec3(k & 1, k >> 1 & 1, k >> 2);
-        ivec3 at = min(cube.first + corner, probeCount - 1);
-        int probe = grid * probeCount.x * probeCount.y * probeCount.z + probeAt(at);
-        float w = probeWeight(probe, mix(1.0 - cube.share, cube.share, vec3(corner)), point, lifted, n);
-        cage.probe[first + k] = probe;
-        cage.weight[first + k] = w;
-        all += w;
-    }
-    for (int k = first; k < first + 8; ++k) cage.weight[k] *= sum / all;
-    return sum * (1.0 - 1e-3 / all);
+#ifdef HAS_PROBE_LATTICES
+    if (grid > 0) return cubeOfLattice(grid - 1, p);
+#endif
+    return cubeOfScene(p);
 }
 
 // n: of the surface; v: to the eye, or n.
-ProbeCage probesAbout(vec3 point, vec3 n, vec3 v)
+ProbeCage cageOf(int grid, vec3 point, vec3 n, vec3 v)
+{
+    ProbeCage cage;
+    // Off the surface, which the probes' distances blur.
+    vec3 lifted = point + 0.3 * cubeOf(grid, point).least * (0.7 * n + 0.3 * v);
+    ProbeCube cube = cubeOf(grid, lifted);
+    int first = grid * probeCount.x * probeCount.y * probeCount.z;
+    for (int k = 0; k < 8; ++k) {
+        ivec3 corner = ivec3(k & 1, k >> 1 & 1, k >> 2);
+        cage.probe[k] = first + probeAt(min(cube.first + corner, probeCount - 1));
+        cage.weight[k] = probeWeight(cage.probe[k], mix(1.0 - cube.share, cube.share, vec3(corner)), point, lifted, n);
+    }
+    return cage;
+}
+
+#ifdef HAS_PROBE_LATTICES
+// The finest grid that reaches the point. At its border, and where none of its probes sees the point, the next one counts, too: both loops
+// begin a second turn only there.
+ProbesAbout probesAbout(vec3 point, vec3 n, vec3 v)
 {
     int grid = 0;
     float share = 1.0;
@@ -163,26 +168,29 @@ ProbeCage probesAbout(vec3 point, vec3 n, vec3 v)
         grid = own > 0.0 ? i + 1 : grid;
         share = own > 0.0 ? own : share;
     }
-    ProbeCage cage;
-    float rest = 1.0 - addCage(cage, 0, grid, share, point, n, v);
-    addCage(cage, 8, max(grid - 1, 0), rest, point, n, v);
-    return cage;
+    ProbesAbout about;
+    about.cages = 0;
+    float rest = 1.0;
+    do {
+        ProbeCage cage = cageOf(grid, point, n, v);
+        float all = 1e-4;
+        for (int k = 0; k < 8; ++k) all += cage.weight[k];
+        float given = about.cages == 0 ? share : rest;
+        for (int k = 0; k < 8; ++k) cage.weight[k] *= given / all;
+        rest -= given * (1.0 - 1e-4 / all);
+        if (about.cages == 0)
+            about.cage = cage;
+        else
+            about.coarser = cage;
+        ++about.cages;
+        grid = max(grid - 1, 0);
+    } while (about.cages < 2 && rest > 2e-3);
+    return about;
 }
 #else
-// n: of the surface; v: to the eye, or n.
-ProbeCage probesAbout(vec3 point, vec3 n, vec3 v)
+ProbesAbout probesAbout(vec3 point, vec3 n, vec3 v)
 {
-    ProbeCage cage;
-    // Off the surface, which the probes' distances blur.
-    vec3 lifted = point + 0.3 * cubeOfScene(point).least * (0.7 * n + 0.3 * v);
-    ProbeCube cube = cubeOfScene(lifted);
-    for (int k = 0; k < 8; ++k) {
-        ivec3 corner = ivec3(k & 1, k >> 1 & 1, k >> 2);
-        ivec3 at = min(cube.first + corner, probeCount - 1);
-        cage.probe[k] = probeAt(at);
-        cage.weight[k] = probeWeight(cage.probe[k], mix(1.0 - cube.share, cube.share, vec3(corner)), point, lifted, n);
-    }
-    return cage;
+    return ProbesAbout(cageOf(0, point, n, v));
 }
 #endif
 
@@ -192,15 +200,29 @@ struct SentAbout {
     float share;    // of the directions about it that they fill, by the cosine
 };
 
-SentAbout sentAbout(ProbeCage cage, vec3 d)
+void addSent(ProbeCage cage, vec3 d, inout vec4 sum, inout float weights)
 {
-    vec4 sum = vec4(0.0);
-    float weights = 0.0;
-    for (int k = 0; k < CAGE_PROBES; ++k) {
+    for (int k = 0; k < 8; ++k) {
         if (cage.weight[k] <= 0.0) continue;
         sum += cage.weight[k] * probeLookup(probeIrradianceMap, cage.probe[k], float(PROBE_IRRADIANCE_SIDE), d);
         weights += cage.weight[k];
     }
+}
+
+SentAbout sentAbout(ProbesAbout about, vec3 d)
+{
+    vec4 sum = vec4(0.0);
+    float weights = 0.0;
+#ifdef HAS_PROBE_LATTICES
+    int i = 0;
+    do {
+        ProbeCage cage = about.cage;
+        if (i > 0) cage = about.coarser;
+        addSent(cage, d, sum, weights);
+    } while (++i < about.cages);
+#else
+    addSent(about.cage, d, sum, weights);
+#endif
     // The mean of what fills a twentieth and more; less is dimmed, as the probes may miss it.
     return SentAbout(sum.rgb / max(max(sum.a, 0.05 * weights), 1e-20), sum.a / max(weights, 1e-20));
 }
