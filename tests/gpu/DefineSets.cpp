@@ -39,7 +39,6 @@ const std::vector<std::pair<std::string, std::string>> needs = {
     {"HAS_OCCLUSION", "HAS_DIFFUSE"},
     {"HAS_BOUNCE", "HAS_OCCLUSION"},
     {"SUN_DIFFUSE", "HAS_SUNS"},
-    {"HAS_PROBE_LATTICES", "HAS_NEIGHBOURHOOD"},
     {"HAS_NEIGHBOURHOOD", "HAS_ATLAS"},
     {"TEMPORAL", "ANTIALIASED"},
     {"HAS_LOBES", "HAS_ATLAS"},

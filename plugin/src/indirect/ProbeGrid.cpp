@@ -113,9 +113,9 @@ std::array<int, 3> countsFor(const osg::BoundingBoxf& scene, int most)
     return counts;
 }
 
-ProbeGrid::Planes planesFor(const TracedScene& scene, int most)
+// @param box  of the scene
+ProbeGrid::Planes planesFor(const TracedScene& scene, const osg::BoundingBoxf& box, int most)
 {
-    const osg::BoundingBoxf box = boundOf(scene);
     const osg::Vec3f size = box._max - box._min;
     const std::array<int, 3> counts = countsFor(box, most);
     const float least = 0.02f * size.length() + 1e-20f;  // a plane's box has a height, too
@@ -138,6 +138,7 @@ ProbeGrid::Level latticeAbout(const osg::Vec3d& center, double side, const osg::
     const double cell = side / std::max(most - 1, 1);
     const std::array<int, 3> counts = countsFor(scene, most);
     ProbeGrid::Level level;
+    level.cell = float(cell);
     for (size_t k = 0; k < 3; ++k) {
         // As the planes of all the scene, half a cell within its bound. Nothing lies beyond that.
         const double low = double(scene._min[int(k)]), last = (double(scene._max[int(k)]) - low) / cell - counts[k];
@@ -209,10 +210,12 @@ const std::vector<ProbeGrid::Direction>& ProbeGrid::directions()
 ProbeGrid::ProbeGrid(const TracedScene& scene, const CasterBvh& bvh, const NearestPoint& nearest, int most,
                      const TransportFocus& focus, const std::atomic<bool>* stop)
 {
-    levels.push_back({planesFor(scene, most), {}});
+    const osg::BoundingBoxf box = boundOf(scene);
+    levels.emplace_back();
+    levels.back().planes = planesFor(scene, box, most);
     double side = 2.0 * focus.radius;
     for (int i = 0; focus.radius > 0.0 && i < limits::PROBE_LATTICES; ++i, side /= finer)
-        levels.push_back(latticeAbout(focus.center, side, boundOf(scene), most));
+        levels.push_back(latticeAbout(focus.center, side, box, most));
     for (const Level& level : levels) addLevel(scene, bvh, nearest, level, stop);
 }
 

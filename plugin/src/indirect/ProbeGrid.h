@@ -36,6 +36,7 @@ struct OSGENVLIGHT_EXPORT ProbeGrid {
     struct Level {
         Planes planes;                              // that probes belong to: where they cross the axes, ascending
         std::array<std::array<bool, 2>, 3> ends{};  // along each axis whether the scene ends below and above it
+        float cell = 0.0f;                          // side of its cubes; of the first level 0
     };
     /** First that of all the scene, finer where the scene is; then those about the focus, each of cubes. They lie on lattices
      * that do not depend on its centre: where it moves, most places have a probe as before. */

@@ -177,9 +177,7 @@ NearestPoint::NearestPoint(const std::vector<SurfacePoint>& points, const Traced
     }
     _starts.resize(cellCount + 1);
     std::vector<unsigned> cells;
-    _hasPoints.resize(scene.surfaces.size());
     for (const SurfacePoint& p : points) {
-        _hasPoints[p.surface] = true;
         cells.push_back(cell(cellAlong(0, p.position.x()), cellAlong(1, p.position.y()), cellAlong(2, p.position.z())));
         ++_starts[cells.back() + 1];
     }
@@ -217,7 +215,6 @@ bool NearestPoint::sees(const osg::Vec3f& position, const osg::Vec3f& normal, co
 unsigned NearestPoint::find(const osg::Vec3f& position, const osg::Vec3f& normal, unsigned surface, const Accept& accept) const
 {
     const int x = cellAlong(0, position.x()), y = cellAlong(1, position.y()), z = cellAlong(2, position.z());
-    const bool hasOwn = surface < _hasPoints.size() && _hasPoints[surface];  // else the penalty changes no order
     float least = std::numeric_limits<float>::max();
     unsigned found = none;
     for (int ring = 0; ring < std::max({_cells[0], _cells[1], _cells[2]}); ++ring) {
@@ -229,7 +226,7 @@ unsigned NearestPoint::find(const osg::Vec3f& position, const osg::Vec3f& normal
                         const SurfacePoint& p = _points[_order[n]];
                         float far = (p.position - position).length2();
                         if (p.normal * normal < 0.5f) far = 16.0f * far + _penalty;
-                        if (hasOwn && p.surface != surface) far = 16.0f * far + _penalty;
+                        if (p.surface != surface) far = 16.0f * far + _penalty;
                         if (far < least && (!accept || accept(p))) std::tie(least, found) = std::make_tuple(far, _order[n]);
                     }
                 }

@@ -61,7 +61,6 @@ class OSGENVLIGHT_EXPORT NearestPoint
     float _width = 0.0f;          // of a cell
     std::array<int, 3> _cells{};  // along each axis
     float _penalty = 0.0f;
-    std::vector<bool> _hasPoints;   // of each surface
     std::vector<unsigned> _starts;  // of each cell, in _order
     std::vector<unsigned> _order;   // numbers of points, by cells
 };

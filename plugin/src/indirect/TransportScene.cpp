@@ -21,11 +21,6 @@ constexpr int partSide = limits::POINT_PART_SIDE;
 
 const float beyond = 1e30f;  // cells: no surface lies there
 
-bool longer(const std::vector<float>& a, const std::vector<float>& b)
-{
-    return a.size() < b.size();
-}
-
 const float ofOthers = 0.02f;  // what a probe counts that stands for one within a body: only where there is none else
 
 }  // namespace
@@ -97,8 +92,7 @@ void TransportScene::writeLevels(const std::vector<ProbeGrid::Level>& levels)
     osg::Uniform* bounds = array("probeLatticeBounds", osg::Uniform::FLOAT_VEC3, 2 * limits::PROBE_LATTICES);
     for (unsigned i = 0; i < unsigned(lattices); ++i) {
         const ProbeGrid::Level& level = levels[i + 1];
-        const std::vector<float>& longest = std::max(level.planes[0], level.planes[1], longer);
-        places->setElement(i, osg::Vec4f(level.planes[0][0], level.planes[1][0], level.planes[2][0], longest[1] - longest[0]));
+        places->setElement(i, osg::Vec4f(level.planes[0][0], level.planes[1][0], level.planes[2][0], level.cell));
         osg::Vec3f low, high;
         for (int k = 0; k < 3; ++k) {
             const auto& ends = level.ends[size_t(k)];

@@ -16,7 +16,7 @@ namespace osgEnvLight
 namespace
 {
 
-// A tenth of what the view shows is nearer. 0: it has not been measured since it was told.
+// A tenth of what the view shows is nearer. 0: this frame has no new measurement of that.
 double nearDepth(const FrameContext& c)
 {
     if (!mayShowLittle(c)) return 1e30;

@@ -17,9 +17,9 @@ namespace osgEnvLight
 {
 
 /** The shadow maps of a view's suns: for each, one of the whole scene, and where its texels are wider than a pixel of the
- * view, smaller ones about what the view shows near the eye, each of at most a quarter of the last one's area,
- * and of less where few of them are to reach near in a large scene. Each holds
- * heights along the direction to the sun, of the first surface and half-way to the second.
+ * view, smaller ones about what the view shows near the eye, each of at most a quarter of the last one's area.
+ * In a large scene they shrink faster, so that the last one is fine enough for what is nearest. Each holds heights along the
+ * direction to the sun, of the first surface and half-way to the second.
  *
  * A map stands in the world, on whole texels. It is drawn again when what casts shadows or the sun has moved, or the view
  * has left what it shows; not when the view moves within that. Its parts are never replaced: other counts are other maps. */

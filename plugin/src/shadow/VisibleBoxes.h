@@ -19,7 +19,7 @@ struct OSGENVLIGHT_EXPORT ShadowView {
     osg::Matrixd worldFromEye;
     osg::Matrixd projection;  // its near and far don't count
     int height = 1;           // of the picture [pixels]
-    double nearDepth = 0.0;   // before which it shows little; 0: as it was
+    double nearDepth = 0.0;   // before which it shows little; 0: not measured anew
 
     /** A point of the view ray through ndc, at that depth along the view's axis. */
     osg::Vec3d at(double x, double y, double depth) const;
