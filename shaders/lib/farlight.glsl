@@ -3,7 +3,8 @@
 #ifndef FARLIGHT_GLSL
 #define FARLIGHT_GLSL
 
-// From this many radii on a light is as a point's, to a third of the square of that ratio, and so is a lobe that is wider by as much.
+// A light that is so many of its radii away is taken as a point. The error is a third of the inverse square of this number: .3 %. It is no
+// larger for a lobe that is as many times as wide as the light.
 const float FAR_LIGHT = 10.0;
 
 // Whether a light is as far as that from a surface of unit normal n, and wholly above its horizon.

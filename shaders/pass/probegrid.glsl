@@ -157,8 +157,8 @@ ProbeCage cageOf(int grid, vec3 point, vec3 n, vec3 v)
 }
 
 #ifdef HAS_PROBE_LATTICES
-// The finest grid that reaches the point. At its border, and where none of its probes sees the point, the next one counts, too: both loops
-// begin a second turn only there.
+// The cage of the finest grid that reaches the point. The next grid's counts, too, at that grid's border and where none of its probes
+// sees the point. Only there the loops over cages make a second turn.
 ProbesAbout probesAbout(vec3 point, vec3 n, vec3 v)
 {
     int grid = 0;
