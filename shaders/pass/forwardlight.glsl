@@ -141,8 +141,9 @@ float sunShare(int sun, Surface s)
 {
 #ifdef HAS_SUN_MAPS
     SunPixel q;
-    q.point = vec3(sunsFromEye * vec4(s.position + s.bulge * length(s.position) * s.normal, 1.0));
+    q.point = vec3(sunsFromEye * vec4(s.position, 1.0));
     q.normal = mat3(sunsFromEye) * s.normal;
+    q.bulge = s.bulge * length(s.position);
     q.ray = mat3(sunsFromEye) * s.ray;
     q.quantum = 0.0;
     q.footprint = 1.0;

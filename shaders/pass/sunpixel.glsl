@@ -18,7 +18,7 @@ SunPixel sunPixel(ivec2 p)
     s.point = vec3(atlasFromEye * vec4(eye, 1.0));
     s.normal = mat3(atlasFromEye) * pixelNormal(p);
     float bulge = abs(texelFetch(emissionMap, p, 0).a);
-    if (bulge < 0.5) s.point += bulge * length(eye) * s.normal;  // programs of the host's own may write 1
+    s.bulge = bulge < 0.5 ? bulge * length(eye) : 0.0;  // programs of the host's own may write 1
     s.ray = mat3(atlasFromEye) * viewRay(inverseProjection, ndc);
     s.quantum = length(depthStep(inverseProjection, ndc, depth));
     s.footprint = pixelFootprint(inverseProjection, ndc, depth, viewportSize);

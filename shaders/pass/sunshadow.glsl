@@ -3,6 +3,7 @@
 #ifndef PASS_SUNSHADOW_GLSL
 #define PASS_SUNSHADOW_GLSL
 
+#include "lib/bulge.glsl"
 #include "lib/sunshadow.glsl"
 #include "pass/suns.glsl"
 
@@ -18,6 +19,7 @@ uniform vec4 sunLevels[MOST_SUN_LEVELS * MOST_SUNS];
 struct SunPixel {
     vec3 point;
     vec3 normal;
+    float bulge;    // of the smooth surface that the normals stand for above the point
     vec3 ray;       // from the eye
     float quantum;  // a step of the depth buffer along it
     float footprint;
@@ -72,7 +74,8 @@ vec2 sunSeen(int sun, SunPixel s, int count)
     float up = max(n.z, 0.02); // below, the surface hardly sees the sun
     r.gradient = -n.xy / (up * perHeight);
     float steep = 1.0 + length(r.gradient);
-    r.slack = 0.05 * steep + abs(dot(s.normal, s.ray)) * s.quantum * finest / up;
+    float within = abs(dot(s.normal, s.ray)) * s.quantum + bulgeUnderSun(s.bulge, n.z);
+    r.slack = 0.05 * steep + within * finest / up;
     r.body = 3.0 * steep;
     float seen = 0.0;
     float all = 0.0;

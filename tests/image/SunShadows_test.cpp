@@ -40,6 +40,27 @@ TEST(SunShadows, PenumbraOfAWallIsAsWideAsTheSunsDisc)
         }
 }
 
+// A flat floor whose normals were smoothed over its edges, as of models that bring none: its shadows stay where they are.
+TEST(SunShadows, NormalsThatLeanMoveNoEdge)
+{
+    SceneRenderer renderer(256, 256);
+    const osg::ref_ptr<LitScene> lit = sunny(osg::Vec3d(1, 0, 1));
+    const osg::ref_ptr<osg::Geode> floor = makeQuad(osg::Vec3d(-6, -4, 0), osg::Vec3d(12, 0, 0), osg::Vec3d(0, 8, 0));
+    const auto normals = osg::ref_ptr(new osg::Vec3Array(osg::Array::BIND_PER_VERTEX));
+    for (const osg::Vec3& corner : static_cast<osg::Vec3Array&>(*floor->getDrawable(0)->asGeometry()->getVertexArray())) {
+        osg::Vec3 normal = corner * (0.1f / corner.length()) + osg::Vec3(0, 0, 1);
+        normal.normalize();
+        normals->push_back(normal);
+    }
+    floor->getDrawable(0)->asGeometry()->setNormalArray(normals);
+    lit->addChild(floor);
+    lit->addChild(makeBox(osg::Vec3d(0, -4, 0), osg::Vec3d(0.3, 4, 1.0)));
+    const double edge = 1.0 / std::tan(std::asin(sunOf(*lit).direction.z()));
+    lookDown(renderer, osg::Vec3d(-edge, 0, 0), 1.0);
+    const double middle = crossing(renderer.render(lit), 0.5) / 256.0 - 0.5;
+    EXPECT_NEAR(middle, 0.0, 0.02);  // a tenth of the penumbra's width; .36 from where a round floor would be
+}
+
 // A plane of any thickness that nothing shades, from facing the sun to 85 degrees off.
 TEST(SunShadows, PlanesDontShadeThemselves)
 {

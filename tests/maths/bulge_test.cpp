@@ -81,4 +81,15 @@ TEST(bulge, IsNothingOnPlanesHollowsAndEdges)
     EXPECT_TRUE(std::isfinite(glsl::bulgeAbove(up, corner - vec3(1e-12, 0, 0), outward, corner, outward)));
 }
 
+TEST(bulge, CountsUnderLowSunsAlone)
+{
+    // Facets of the largest lean that counts in full, .18: one hides another under suns lower than the angle between the two.
+    const double lean = 0.6 * 0.3;
+    EXPECT_EQ(1.0, glsl::bulgeUnderSun(1.0, 0.0));
+    EXPECT_EQ(1.0, glsl::bulgeUnderSun(1.0, 2.0 * lean - 1e-6));
+    EXPECT_NEAR(0.5, glsl::bulgeUnderSun(1.0, 2.5 * lean), 1e-6);
+    EXPECT_EQ(0.0, glsl::bulgeUnderSun(1.0, 3.0 * lean + 1e-6));
+    EXPECT_EQ(1.0, glsl::bulgeUnderSun(1.0, -1.0)) << "below the plane, as at its edge";
+}
+
 }  // namespace bulge_test
