@@ -42,8 +42,10 @@ Lobe lobeAt(ivec2 p, vec3 n)
 vec3 surface(ivec2 p)
 {
     vec3 n = pixelNormal(p);
-    vec3 point = vec3(atlasFromEye * vec4(pixelEye(p), 1.0));
-    vec3 normal = mat3(atlasFromEye) * n;
+    vec3 eye = pixelEye(p);
+    float footprint = pixelFootprint(inverseProjection, pixelNdc(p), texelFetch(depthMap, p, 0).r, viewportSize);
+    vec3 point = vec3(atlasFromEye * vec4(eye, 1.0));
+    vec3 facet = mat3(atlasFromEye) * pixelFacet(p, eye, n, footprint);
     Lobe lobe = lobeAt(p, n);
 #ifdef HAS_ROUGH_DIFFUSE
     RoughDiffuse layer = pixelRoughDiffuse(p, pixelAlbedo(p) * lobe.bsdf.body);
@@ -69,7 +71,7 @@ vec3 surface(ivec2 p)
         vec3 d = e * rho;
 #endif
         den += d;
-        float sees = atlasSees(light, point, normal, c) > 0.5 ? 1.0 : 0.0;
+        float sees = atlasSees(light, point, facet, max(dot(facet, light.direction), 0.0)) > 0.5 ? 1.0 : 0.0;
         num += sees * d;
         if (isGlossy) change += (sees - shown) * e * bsdfLobe(lobe.bsdf, lobe.v, transpose(lobe.eyeFromLocal) * direction);
     }

@@ -194,6 +194,13 @@ void main()
     Receiver receiver = receiverAt(p);
     int group = bayer4(p.x, p.y);
     vec3 normal = lightsFromEye() * receiver.normal;
+    SumsPlace place;
+    place.normal = receiver.normal;
+    place.facet = pixelFacet(p, receiver.eye, receiver.normal, receiver.footprint);
+    place.depth = texelFetch(depthMap, p, 0).r;
+#ifdef HAS_ATLAS
+    vec3 facet = lightsFromEye() * place.facet;  // which the maps show: normals that were smoothed over edges lean through floors
+#endif
 #if defined(OCCLUSION_SLICES) || defined(OCCLUSION_SCALAR)
     Slices slices = pixelSlices(receiver, group);
 #endif
@@ -253,7 +260,7 @@ void main()
             e *= open.w;
 #endif
 #ifdef HAS_ATLAS
-            seen = seen && atlasSees(light, point, normal, c) > 0.5;
+            seen = seen && atlasSees(light, point, facet, max(dot(facet, direction), 0.0)) > 0.5;
 #endif
             if (seen) sums.num += e;
 #ifdef HAS_LOBES
@@ -270,9 +277,5 @@ void main()
     lobeTexel = packLobeLights(lobeLights);
 #endif
     sumsTexel = packSums(sums);
-    SumsPlace place;
-    place.normal = receiver.normal;
-    place.facet = pixelFacet(p, receiver.eye, receiver.normal, receiver.footprint);
-    place.depth = texelFetch(depthMap, p, 0).r;
     placeTexel = packPlace(place);
 }
