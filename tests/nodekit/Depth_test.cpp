@@ -27,6 +27,7 @@ const int size = 64;
 osg::ref_ptr<LitScene> scene(osg::Image* map)
 {
     osg::ref_ptr<LitScene> lit = new LitScene(map);
+    lit->getSettings()->bounceProbes = fewestProbes;
     lit->getSettings()->atlasLights = 64;
     lit->getSettings()->regeneration = Settings::IMMEDIATE;
     lit->addChild(makeQuad(osg::Vec3d(-4, -4, -1), osg::Vec3d(8, 0, 0), osg::Vec3d(0, 12, 0)));
@@ -166,6 +167,7 @@ TEST(Depth, ACameraThatKeepsTheColoursBehindIsDrawnOverThem)
         over->setViewport(0, 0, size, size);
         renderer.viewer().addSlave(over, false);
         const osg::ref_ptr<LitScene> lit = new LitScene(map());
+        lit->getSettings()->bounceProbes = fewestProbes;
         lit->getSettings()->background = background;
         lit->addChild(makeSphere(osg::Vec3d(), 0.5, 32));
         over->addChild(lit);

@@ -116,6 +116,7 @@ TEST_F(Features, ThickFogHidesEveryTerm)
     const osg::ref_ptr<LitScene> scene = makeLit(makeMap(64, 32, sixDirectionColor).get());
     scene->getSettings()->background = Settings::BACKGROUND_OFF;
     scene->getSettings()->bounce = Settings::BOUNCE_PROBES;
+    scene->getSettings()->bounceProbes = fewestProbes;
     converges(*scene);
     const osg::ref_ptr<osg::Geode> ball = makeSphere(osg::Vec3d(), 0.8, 24);
     osgEnvLight::Material::setCookTorrance(*ball->getOrCreateStateSet(), osg::Vec3(0.9f, 0.8f, 0.7f), 1.0f, 0.2f);

@@ -155,6 +155,7 @@ void addShaders(ShaderFolder& folder)
 osg::ref_ptr<WithPasses> makeScene()
 {
     osg::ref_ptr<WithPasses> lit = new WithPasses(constantMap(1.0).get());
+    lit->getSettings()->bounceProbes = fewestProbes;
     Settings& s = *lit->getSettings();
     s.output = Settings::LINEAR;
     s.regeneration = Settings::IMMEDIATE;  // or a thread says when probes take memory

@@ -86,6 +86,7 @@ TEST(GlCalls, AFrameMakesNoTextures)
         s.atlasLights = 16;
         s.atlasSize = 32;
         s.bounce = osgEnvLight::Settings::BOUNCE_PROBES;
+        s.bounceProbes = fewestProbes;
         lit->addChild(makeSphere(osg::Vec3d(), 1.0, 16));
         if (showsLittle) lit->addChild(makeBox(osg::Vec3d(999, 0, 0), osg::Vec3d(1000, 1, 1)));
         const osg::ref_ptr<osg::MatrixTransform> moved = new osg::MatrixTransform;

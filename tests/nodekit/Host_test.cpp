@@ -64,6 +64,7 @@ TEST(Host, RemovalRestoresThePictureByteForByte)
     root->addChild(makeSibling());
     const Picture before = renderer.render(root, 3);
     osg::ref_ptr<LitScene> lit = new LitScene;
+    lit->getSettings()->bounceProbes = fewestProbes;
     lit->addChild(model);
     root->replaceChild(model, lit);
     EXPECT_GT(rootMeanSquare(before, renderer.render(root, 3)), 0.01);  // it did light
@@ -93,6 +94,7 @@ TEST(Host, StateSetsOfTheModelAreNotChanged)
     for (unsigned i = 0; i < model->getNumChildren(); ++i)
         copies.push_back(new osg::StateSet(*model->getChild(i)->getStateSet(), osg::CopyOp::DEEP_COPY_ALL));
     osg::ref_ptr<LitScene> lit = new LitScene;
+    lit->getSettings()->bounceProbes = fewestProbes;
     lit->addChild(model);
     renderer.render(lit, 3);
     for (unsigned i = 0; i < model->getNumChildren(); ++i)
@@ -122,6 +124,7 @@ TEST(Host, AddingAndRemovingAHundredTimesLeaksNothing)
     osg::ref_ptr<osg::Image> map = constantMap(1.0);
     auto round = [&] {
         osg::ref_ptr<LitScene> lit = new LitScene(map);
+        lit->getSettings()->bounceProbes = fewestProbes;
         lit->setTimed(true);
         lit->getSettings()->atlasLights = 16;  // drawn a hundred times
         lit->addChild(model);
@@ -154,6 +157,7 @@ TEST(Host, NoGlErrorAndNoWarning)
     SceneRenderer renderer(64, 64);
     NotifyCatcher notify;
     osg::ref_ptr<LitScene> lit = new LitScene;
+    lit->getSettings()->bounceProbes = fewestProbes;
     lit->addChild(makeModel());
     lit->setTimed(true);
     for (int view = 0; view < osgEnvLight::Settings::NUM_VIEWS; ++view) {
@@ -169,6 +173,7 @@ TEST(Host, PickingThroughTheNodeIsPickingDirectly)
 {
     osg::ref_ptr<osg::Group> model = makeModel();
     osg::ref_ptr<LitScene> lit = new LitScene;
+    lit->getSettings()->bounceProbes = fewestProbes;
     lit->addChild(model);
     auto pick = [](osg::Node* node) {
         osg::ref_ptr<osgUtil::LineSegmentIntersector> line =

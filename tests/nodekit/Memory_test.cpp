@@ -22,6 +22,7 @@ namespace
 osg::ref_ptr<LitScene> makeSmall()
 {
     osg::ref_ptr<LitScene> lit = new LitScene;
+    lit->getSettings()->bounceProbes = fewestProbes;
     lit->getSettings()->regeneration = Settings::IMMEDIATE;
     lit->getSettings()->atlasLights = 16;
     lit->getSettings()->atlasSize = 32;

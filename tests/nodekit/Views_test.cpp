@@ -49,6 +49,7 @@ int byteRange(const osg::Image& a)
 osg::ref_ptr<LitScene> makeScene()
 {
     osg::ref_ptr<LitScene> lit = new LitScene(makeMap(64, 32, sixDirectionColor));
+    lit->getSettings()->bounceProbes = fewestProbes;
     lit->getSettings()->atlasLights = 64;
     lit->getSettings()->regeneration = Settings::IMMEDIATE;  // or a thread says when probes join
     lit->addChild(makeSphere(osg::Vec3d(), 1.0, 64));
