@@ -6,6 +6,7 @@
 #include <osg/ref_ptr>
 
 #include <algorithm>
+#include <random>
 #include <regex>
 
 namespace
@@ -33,15 +34,9 @@ const std::vector<Defines> alternatives = {
 
 // The first only with the second, in programs that import both.
 const std::vector<std::pair<std::string, std::string>> needs = {
-    {"SUNS_OVER_4", "SUNS_OVER_2"},
-    {"SUNS_OVER_6", "SUNS_OVER_4"},
-    {"BACKGROUND_BLUR", "BACKGROUND"},
-    {"HAS_OCCLUSION", "HAS_DIFFUSE"},
-    {"HAS_BOUNCE", "HAS_OCCLUSION"},
-    {"SUN_DIFFUSE", "HAS_SUNS"},
-    {"HAS_NEIGHBOURHOOD", "HAS_ATLAS"},
-    {"TEMPORAL", "ANTIALIASED"},
-    {"HAS_LOBES", "HAS_ATLAS"},
+    {"SUNS_OVER_4", "SUNS_OVER_2"},          {"SUNS_OVER_6", "SUNS_OVER_4"},  {"BACKGROUND_BLUR", "BACKGROUND"},
+    {"HAS_OCCLUSION", "HAS_DIFFUSE"},        {"HAS_BOUNCE", "HAS_OCCLUSION"}, {"SUN_DIFFUSE", "HAS_SUNS"},
+    {"HAS_NEIGHBOURHOOD", "HAS_ATLAS"},      {"TEMPORAL", "ANTIALIASED"},     {"HAS_LOBES", "HAS_ATLAS"},
     {"HAS_ANISOTROPY", "HAS_COOK_TORRANCE"},
 };
 
@@ -62,7 +57,7 @@ void extend(const Defines& defines, size_t next, Defines& set, std::vector<Defin
     result.push_back(set);
 }
 
-// Lobes stand beside each other: a product has none or all of them; someSets() has each, and all pairs.
+// Lobes stand beside each other: a product has none or all of them; someSets() has each, and any three.
 const Defines lobes = {"HAS_PHONG",      "HAS_COOK_TORRANCE", "HAS_BLINN_PHONG", "HAS_BECKMANN",     "HAS_STRAUSS",
                        "HAS_ANISOTROPY", "HAS_EDGES",         "HAS_COATS",       "HAS_ROUGH_DIFFUSE"};
 
@@ -114,6 +109,68 @@ std::vector<Defines> surfaceSets(const Defines& surface)
     return result;
 }
 
+// Any three of the defines, and which of the eight ways to set them have occurred.
+class Triples
+{
+  public:
+    explicit Triples(size_t defines)
+    {
+        for (size_t i = 0; i < defines; ++i)
+            for (size_t j = 0; j < i; ++j)
+                for (size_t k = 0; k < j; ++k) _triples.push_back({i, j, k, 0});
+    }
+
+    // How many ways a choice of defines adds.
+    size_t adds(const std::vector<bool>& chosen) const
+    {
+        size_t count = 0;
+        for (const Triple& t : _triples) count += t.ways >> way(t, chosen) & 1 ? 0 : 1;
+        return count;
+    }
+    void add(const std::vector<bool>& chosen)
+    {
+        for (Triple& t : _triples) t.ways |= 1u << way(t, chosen);
+    }
+
+  private:
+    struct Triple {
+        size_t a, b, c;
+        unsigned ways;
+    };
+
+    static unsigned way(const Triple& t, const std::vector<bool>& chosen)
+    {
+        return 4u * chosen[t.a] + 2u * chosen[t.b] + chosen[t.c];
+    }
+
+    std::vector<Triple> _triples;
+};
+
+// Sets of about half of the defines until any three of them have occurred in each of the eight ways: a covering array of
+// strength 3.
+void addTriples(const Defines& defines, std::vector<Defines>& result)
+{
+    Triples triples(defines.size());
+    std::mt19937 random(1);
+    std::vector<bool> chosen(defines.size());
+    for (size_t most = 1; most > 0;) {
+        most = 0;
+        for (int candidate = 0; candidate < 16 || (most == 0 && candidate < 256); ++candidate) {
+            std::vector<bool> other(defines.size());
+            for (size_t i = 0; i < other.size(); ++i) other[i] = random() & 1;
+            const size_t adds = triples.adds(other);
+            if (adds <= most) continue;
+            most = adds;
+            chosen = other;
+        }
+        if (most == 0) return;
+        triples.add(chosen);
+        result.push_back({});
+        for (size_t i = 0; i < chosen.size(); ++i)
+            if (chosen[i]) result.back().push_back(defines[i]);
+    }
+}
+
 }  // namespace
 
 Defines imported(const std::string& text)
@@ -132,7 +189,7 @@ Defines imported(const std::string& text)
 std::vector<Defines> someSets(const Defines& defines)
 {
     std::vector<Defines> result;
-    if (defines.size() <= 6) {
+    if (defines.size() <= 5) {
         for (size_t bits = 0; bits < (size_t(1) << defines.size()); ++bits) {
             Defines set;
             for (size_t i = 0; i < defines.size(); ++i)
@@ -145,11 +202,11 @@ std::vector<Defines> someSets(const Defines& defines)
     result.push_back(defines);
     for (size_t i = 0; i < defines.size(); ++i) {
         result.push_back({defines[i]});
-        for (size_t j = 0; j < i; ++j) result.push_back({defines[j], defines[i]});
         Defines others = defines;
         others.erase(others.begin() + std::ptrdiff_t(i));
         result.push_back(others);
     }
+    addTriples(defines, result);
     return result;
 }
 

@@ -10,7 +10,8 @@ using Defines = std::vector<std::string>;
 /** What a text imports, each once, as it comes. */
 Defines imported(const std::string& text);
 
-/** A few of its sets, for each commit: of up to 6 defines all subsets; of more: none, each alone, any two, all but one, all. */
+/** A few of its sets, for each commit: of up to 5 defines all subsets; of more: none, each alone, all but one, all, and any
+ * three in each of the eight ways. */
 std::vector<Defines> someSets(const Defines& defines);
 
 /** The sets that a frame may ask for, and few others.
