@@ -8,7 +8,7 @@
 namespace
 {
 
-void pause()
+void restBriefly()
 {
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
 }
@@ -37,7 +37,7 @@ VirtualDisplay::VirtualDisplay(int width, int height)
         std::vector<std::string>{"Xvfb", "-displayfd", "1", "-noreset", "-nolisten", "tcp", "-fbdir", _folder.file("."),
                                  "-screen", "0", std::to_string(width) + "x" + std::to_string(height) + "x24"},
         _folder.file("log"));
-    for (int i = 0; i < 100 && _server->running(); ++i, pause()) {
+    for (int i = 0; i < 100 && _server->running(); ++i, restBriefly()) {
         const std::string log = readFile(_folder.file("log"));
         size_t digit = log.find_first_of("0123456789");
         if (digit == std::string::npos || log.find('\n', digit) == std::string::npos) continue;
@@ -65,7 +65,7 @@ Screen VirtualDisplay::waitForPicture(int width, int height, int seconds) const
 {
     Screen former;
     int still = 0;
-    for (int i = 0; i < 5 * seconds; ++i, pause()) {
+    for (int i = 0; i < 5 * seconds; ++i, restBriefly()) {
         Screen now = read(width, height);
         const bool same = !now.rgb.empty() && now.rgb == former.rgb && !uniform(now);
         still = same ? still + 1 : 0;
