@@ -71,7 +71,8 @@ vec3 pixelFacet(ivec2 p, vec3 eye, vec3 n, float footprint)
     if (max(abs(dot(n, across)), abs(dot(n, up))) <= 0.05 * footprint + 2.0 * quantum) return n;
     float bend = length(eyeFromDepth(inverseProjection, ndc, d - max(dx.y, dy.y)) - eye);
     vec3 facet = cross(across, up);
-    return bend <= 0.5 * footprint && dot(facet, facet) > 0.0 ? normalize(facet) : n;
+    // What leans further than normals that were smoothed over a box's corner is a mixture of two surfaces.
+    return bend <= 0.5 * footprint && dot(facet, n) > 0.5 * length(facet) ? normalize(facet) : n;
 }
 
 // A plane in eye space, to be asked about pixels by their depths: distance from it in units, times w of the point, and that w.

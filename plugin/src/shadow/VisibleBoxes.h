@@ -12,7 +12,7 @@
 namespace osgEnvLight
 {
 
-struct Caster;
+struct CasterList;
 
 /** What a view asks of its shadow maps. */
 struct OSGENVLIGHT_EXPORT ShadowView {
