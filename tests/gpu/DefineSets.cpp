@@ -146,10 +146,24 @@ class Triples
     std::vector<Triple> _triples;
 };
 
-// Sets of about half of the defines until any three of them have occurred in each of the eight ways: a covering array of
-// strength 3.
-void addTriples(const Defines& defines, std::vector<Defines>& result)
+}  // namespace
+
+Defines imported(const std::string& text)
 {
+    static const std::regex pragma("#pragma import_defines\\(([^)]*)\\)");
+    static const std::regex word("\\w+");
+    Defines result;
+    for (std::sregex_iterator p(text.begin(), text.end(), pragma), none; p != none; ++p) {
+        const std::string list = (*p)[1].str();
+        for (std::sregex_iterator w(list.begin(), list.end(), word); w != none; ++w)
+            if (!has(result, w->str())) result.push_back(w->str());
+    }
+    return result;
+}
+
+std::vector<Defines> tripleSets(const Defines& defines)
+{
+    std::vector<Defines> result;
     Triples triples(defines.size());
     std::mt19937 random(1);
     std::vector<bool> chosen(defines.size());
@@ -163,25 +177,11 @@ void addTriples(const Defines& defines, std::vector<Defines>& result)
             most = adds;
             chosen = other;
         }
-        if (most == 0) return;
+        if (most == 0) break;
         triples.add(chosen);
         result.push_back({});
         for (size_t i = 0; i < chosen.size(); ++i)
             if (chosen[i]) result.back().push_back(defines[i]);
-    }
-}
-
-}  // namespace
-
-Defines imported(const std::string& text)
-{
-    static const std::regex pragma("#pragma import_defines\\(([^)]*)\\)");
-    static const std::regex word("\\w+");
-    Defines result;
-    for (std::sregex_iterator p(text.begin(), text.end(), pragma), none; p != none; ++p) {
-        const std::string list = (*p)[1].str();
-        for (std::sregex_iterator w(list.begin(), list.end(), word); w != none; ++w)
-            if (!has(result, w->str())) result.push_back(w->str());
     }
     return result;
 }
@@ -198,6 +198,7 @@ std::vector<Defines> someSets(const Defines& defines)
         }
         return result;
     }
+    result = tripleSets(defines);
     result.push_back({});
     result.push_back(defines);
     for (size_t i = 0; i < defines.size(); ++i) {
@@ -206,7 +207,6 @@ std::vector<Defines> someSets(const Defines& defines)
         others.erase(others.begin() + std::ptrdiff_t(i));
         result.push_back(others);
     }
-    addTriples(defines, result);
     return result;
 }
 

@@ -10,6 +10,10 @@ using Defines = std::vector<std::string>;
 /** What a text imports, each once, as it comes. */
 Defines imported(const std::string& text);
 
+/** A covering array of strength 3: sets of about half of the defines, until any three have occurred in each of the eight ways.
+ * None of fewer than three. */
+std::vector<Defines> tripleSets(const Defines& defines);
+
 /** A few of its sets, for each commit: of up to 5 defines all subsets; of more: none, each alone, all but one, all, and any
  * three in each of the eight ways. */
 std::vector<Defines> someSets(const Defines& defines);

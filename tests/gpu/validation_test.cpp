@@ -161,12 +161,12 @@ TEST(validation, EveryProgramHasADefineSet)
     EXPECT_EQ(reachableSets({"BACKGROUND_BLUR"}).size(), 2u);                            // which imports no BACKGROUND
 }
 
-TEST(validation, SomeSetsHaveAnyThreeDefinesInAllWays)
+TEST(validation, TripleSetsHaveAnyThreeDefinesInAllWays)
 {
     Defines defines;
     for (int i = 0; i < 24; ++i) defines.push_back("D" + std::to_string(i));
-    const std::vector<Defines> sets = someSets(defines);
-    EXPECT_LT(sets.size(), 110u);  // 50 of which have none, one, all but one or all
+    const std::vector<Defines> sets = tripleSets(defines);
+    EXPECT_LT(sets.size(), 50u);  // of 2^24
     for (size_t i = 0; i < defines.size(); ++i)
         for (size_t j = 0; j < i; ++j)
             for (size_t k = 0; k < j; ++k) {
@@ -210,7 +210,8 @@ TEST(validation, GlslangAcceptsReachableSets)
 
 TEST(validation, TheDriverLinksSomeSets)
 {
-    expectTheDriverLinks(someSets);
+    // Glslang has judged the others: what a driver makes of them takes it ten times as long.
+    expectTheDriverLinks([](const Defines& defines) { return defines.size() <= 5 ? someSets(defines) : tripleSets(defines); });
 }
 
 TEST(validation, TheDriverLinksReachableSets)
