@@ -4,6 +4,7 @@
 
 #include <osg/BlendFunc>
 #include <osg/CullFace>
+#include <osg/Material>
 #include <osg/MatrixTransform>
 #include <osg/Texture2D>
 

@@ -171,7 +171,8 @@ TEST_F(Features, GeneratedCoordinatesAfterTheFirstUnit)
             gen->setPlane(osg::TexGen::S, osg::Plane(kind == 2 ? -1.0 / 3.0 : 1.0 / 6.0, 0, 0, kind == 2 ? 1.0 : 0.5));
             gen->setPlane(osg::TexGen::T, osg::Plane(0, 0, 0, 0.5));
             gen->setPlane(osg::TexGen::Q, osg::Plane(0, 0, 0, 2));
-            for (const GLenum mode : {GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T}) s.setTextureMode(unit, mode, osg::StateAttribute::ON);
+            for (const GLenum mode : {GLenum(GL_TEXTURE_GEN_S), GLenum(GL_TEXTURE_GEN_T)})
+                s.setTextureMode(unit, mode, osg::StateAttribute::ON);
             if (kind == 2) {
                 s.setTextureMode(unit, GL_TEXTURE_GEN_Q, osg::StateAttribute::ON);
                 const osg::ref_ptr<osg::TexGenNode> node = new osg::TexGenNode(gen);

@@ -191,7 +191,6 @@ TEST(ReferenceEmitters, ManyOfAllShapesAtAllDistances)
     for (int i = 0; i < 40; ++i) {
         const double size = random.uniform(0.02, 0.4), radiance = random.uniform(0.1, 10.0);
         const osg::Vec3d at(random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(0.05, 2.0));
-        const osg::Vec3f p(at);
         const auto s = float(size);
         const osg::ref_ptr<AreaLight> light = i % 4 == 0   ? rectangle(osg::Vec3d(), size, 2.0 * size, radiance)
                                               : i % 4 == 1 ? disc(osg::Vec3d(), size, radiance)

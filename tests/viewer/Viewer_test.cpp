@@ -123,7 +123,7 @@ double relativeDifference(const std::string& fileA, const std::string& fileB)
     for (int y = 0; y < a->t(); ++y)
         for (int x = 0; x < a->s(); ++x) {
             const osg::Vec4 ca = a->getColor(unsigned(x), unsigned(y)), cb = b->getColor(unsigned(x), unsigned(y));
-            for (int k = 0; k < 3; ++k) {
+            for (unsigned k = 0; k < 3; ++k) {
                 sum += std::abs(double(ca[k] - cb[k]));
                 scale += double(cb[k]);
             }
