@@ -12,6 +12,7 @@ const std::vector<Settings::Preset>& Settings::presets()
          {{"atlasLights", "64"},
           {"nearRadius", "0"},
           {"filterCells", "1"},
+          {"diffuseError", "1"},
           {"specularMethod", "prefiltered"},
           {"reflections", "indirect"},
           {"antialias", "off"},
