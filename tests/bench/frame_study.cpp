@@ -81,7 +81,8 @@ class View
         _lit->addChild(makeBenchModel(options.triangles));
         for (const std::string& s : options.settings) set(*_lit, s);
         _lit->setTimed(true);
-        for (int i = 0; i < 4 || _lit->regenerating(); ++i) draw();  // compiles, uploads, draws all maps
+        // Compiles, uploads, draws all maps: 8 of them a frame.
+        for (int i = 0; i < 4 || _lit->regenerating() || (i < 300 && has(draw(), "atlas")); ++i) draw();
     }
 
     Times draw()
@@ -95,6 +96,11 @@ class View
     }
 
   private:
+    static bool has(const Times& times, const std::string& pass)
+    {
+        return std::any_of(times.begin(), times.end(), [&](const auto& t) { return t.first == pass; });
+    }
+
     SceneRenderer _renderer;
     osg::ref_ptr<LitScene> _lit;
 };
