@@ -43,9 +43,8 @@ vec3 surface(ivec2 p)
 {
     vec3 n = pixelNormal(p);
     vec3 eye = pixelEye(p);
-    float footprint = pixelFootprint(inverseProjection, pixelNdc(p), texelFetch(depthMap, p, 0).r, viewportSize);
     vec3 point = vec3(atlasFromEye * vec4(eye, 1.0));
-    vec3 facet = mat3(atlasFromEye) * pixelFacet(p, eye, n, footprint);
+    vec3 facet = mat3(atlasFromEye) * pixelFacet(p, eye, n);
     Lobe lobe = lobeAt(p, n);
 #ifdef HAS_ROUGH_DIFFUSE
     RoughDiffuse layer = pixelRoughDiffuse(p, pixelAlbedo(p) * lobe.bsdf.body);

@@ -84,7 +84,7 @@ void main()
     sumsTexel = packSums(sums);
     SumsPlace place;
     place.normal = eyeNormal;
-    place.facet = pixelFacet(p, eye, eyeNormal, pixelFootprint(inverseProjection, pixelNdc(p), texelFetch(depthMap, p, 0).r, viewportSize));
+    place.facet = pixelFacet(p, eye, eyeNormal);
     place.depth = texelFetch(depthMap, p, 0).r;
     placeTexel = packPlace(place);
 }

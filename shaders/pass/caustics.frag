@@ -29,10 +29,9 @@ void main()
     vec3 sum = vec3(0.0);
     for (int i = 0; i < count; ++i) sum += fromVirtualLight(group * count + i, place, n, width);
     sumsTexel = packSums(LightSums(vec4(0.0), vec4(sum, 0.0)));
-    float depth = texelFetch(depthMap, p, 0).r;
     SumsPlace at;
     at.normal = eyeNormal;
-    at.facet = pixelFacet(p, eye, eyeNormal, pixelFootprint(inverseProjection, pixelNdc(p), depth, viewportSize));
-    at.depth = depth;
+    at.facet = pixelFacet(p, eye, eyeNormal);
+    at.depth = texelFetch(depthMap, p, 0).r;
     placeTexel = packPlace(at);
 }

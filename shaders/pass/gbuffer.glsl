@@ -71,8 +71,14 @@ vec3 pixelFacet(ivec2 p, vec3 eye, vec3 n, float footprint)
     if (max(abs(dot(n, across)), abs(dot(n, up))) <= 0.05 * footprint + 2.0 * quantum) return n;
     float bend = length(eyeFromDepth(inverseProjection, ndc, d - max(dx.y, dy.y)) - eye);
     vec3 facet = cross(across, up);
-    // What leans further than normals that were smoothed over a box's corner is a mixture of two surfaces.
+    // Normals that were smoothed over a box's corner lean by 55 degrees. A facet further from the normal mixes two surfaces.
     return bend <= 0.5 * footprint && dot(facet, n) > 0.5 * length(facet) ? normalize(facet) : n;
+}
+
+vec3 pixelFacet(ivec2 p, vec3 eye, vec3 n)
+{
+    float depth = texelFetch(depthMap, p, 0).r;
+    return pixelFacet(p, eye, n, pixelFootprint(inverseProjection, pixelNdc(p), depth, viewportSize));
 }
 
 // A plane in eye space, to be asked about pixels by their depths: distance from it in units, times w of the point, and that w.
