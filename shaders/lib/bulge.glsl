@@ -2,7 +2,7 @@
 // How far the smooth surface that interpolated normals stand for lies above its facet [length]: a shadow map of facets, asked
 // from there, does not shade the facets about a terminator [Hanika 2021 asks from tangent planes at the corners; here one
 // corner and the curvature stand for all three].
-// What a sun's map shows of a body's own facets stands out from the tangent plane at a point by no more than this.
+// The body's other facets rise above the tangent plane at a point of a facet by no more than this.
 #ifndef BULGE_GLSL
 #define BULGE_GLSL
 
@@ -30,8 +30,8 @@ float bulgeAbove(vec3 facet, vec3 point, vec3 normal, vec3 corner, vec3 cornerNo
     return fade * max(most - dot(here, here), 0.0) / (2.0 * curvature);
 }
 
-// As much of it as matters under a sun, up being the sine of its height over the tangent plane. A facet hides another only from a
-// sun that stands over the plane by less than the angle between the two: by less than twice the lean of the corners.
+// The part of the bulge that counts under a sun. up: sine of the sun's height over the tangent plane. A facet hides another only
+// from a sun that is lower than the angle between the two. That angle is at most twice the lean of the corners.
 float bulgeUnderSun(float bulge, float up)
 {
     return bulge * clamp(3.0 - up / (0.6 * BULGE_MOST_LEAN), 0.0, 1.0);

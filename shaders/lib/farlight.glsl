@@ -3,8 +3,8 @@
 #ifndef FARLIGHT_GLSL
 #define FARLIGHT_GLSL
 
-// A light that is so many of its radii away is taken as a point. The error is a third of the inverse square of this number: .3 %. It is no
-// larger for a lobe that is as many times as wide as the light.
+// A light at this many of its radii or more is taken as a point: the error is a third of the number's inverse square, .3 %. It is
+// no larger where a lobe is this many times as wide as the light.
 const float FAR_LIGHT = 10.0;
 
 // Whether a light is as far as that from a surface of unit normal n, and wholly above its horizon.

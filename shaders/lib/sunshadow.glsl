@@ -115,9 +115,9 @@ bool sunMayMeet(SunReceiver r, vec4 surface, float low, float high)
 // The ray is followed over intervals, each longer than the last. It may miss a thing that is much thinner than the disc is wide.
 // A surface found at an end of an interval blocks the ray in two cases. First, the ray meets it at the surface's own height: the
 // texel below the ray at that height is looked up, twice if its surface has another height, since a slope is a row of steps.
-// Second, within the interval the ray comes out from beneath a surface, through it or above a lower one that hides the receiver.
-// A map shows no surface beneath another, so the lower one is taken to go on there. A ray that comes out from beneath a single sheet
-// goes on. A sheet's edge does not depend on the intervals.
+// Second, within the interval the ray leaves the space beneath a surface: through the surface, or past its edge and above a lower
+// surface that hides the receiver. A map does not show what is beneath a surface: the lower one is taken to continue there. A ray
+// that leaves from beneath a single sheet is not blocked. A sheet's edge does not depend on the intervals.
 // Each turn of a loop reads one texel: rays that run side by side on the GPU do not wait for one that does more.
 float sunBlocker(sampler2D sunMaps, SunMap m, SunReceiver r, vec2 xy, vec2 slope)
 {

@@ -157,8 +157,8 @@ ProbeCage cageOf(int grid, vec3 point, vec3 n, vec3 v)
 }
 
 #ifdef HAS_PROBE_LATTICES
-// The cage of the finest grid that reaches the point. The next grid's counts, too, at that grid's border and where none of its probes
-// sees the point. Only there the loops over cages make a second turn.
+// The cage of the finest grid that reaches the point. The next coarser grid's cage is added at the border of the finest one and
+// where none of its probes sees the point. Only there does the loop make a second turn.
 ProbesAbout probesAbout(vec3 point, vec3 n, vec3 v)
 {
     int grid = 0;

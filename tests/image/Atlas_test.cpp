@@ -130,8 +130,8 @@ TEST(Atlas, LittleLightComesInUnderAWall)
     EXPECT_LT(leakUnder(wall, floor), 0.08);
 }
 
-// Nor does it where the wall's normals were smoothed over its edges, as of models that bring none, and lean down at its foot. The
-// floor is a ninth of a texel thick.
+// The host smooths the normals of models that have none: at a wall's foot they lean down, through a thin floor. Here the floor is
+// a ninth of a texel thick.
 TEST(Atlas, LittleLightComesInUnderAWallWhoseNormalsLean)
 {
     const osg::ref_ptr<osg::Node> floor = makeBox(osg::Vec3d(-8, -8, -0.02), osg::Vec3d(8, 8, 0));

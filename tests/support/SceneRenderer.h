@@ -100,7 +100,7 @@ osg::ref_ptr<osg::Geode> makeBox(const osg::Vec3d& low, const osg::Vec3d& high);
 /** A LitScene with linear output and that map; light between its surfaces by the mean, which needs no thread. */
 osg::ref_ptr<osgEnvLight::LitScene> makeLit(osg::Image* map);
 
-/** Of a side of a grid, for what is not about the light between surfaces: in a software renderer the default's would cost more
+/** bounceProbes of tests that are not about the light between surfaces: in a software renderer the default's probes take longer
  * than all else of a small picture. */
 constexpr int fewestProbes = 4;
 
