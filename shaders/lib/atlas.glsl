@@ -27,23 +27,29 @@ float midpointHeight(float firstDepth, float secondDepth, float slope, float lim
     return max(min(middle, first - min(riseToCorner(slope), most)), 0.0);
 }
 
+// By how much a surface of the sky is let down at least, not to shade itself: a G-buffer's normals are not exact. slope: heights per
+// texel. texel: in heights.
+float leastDrop(float slope, float texel)
+{
+    return min(riseToCorner(slope), 0.1 * texel + 0.05 * abs(slope));
+}
+
 // What a map of the sky keeps: the middle of bodies, whose second surface shows its back (1, else 0). Else what is behind may
 // be the far end of the scene: no lower than a texel under the first surface, and hardly at all if that is a sheet. What a plane
-// rises within a texel is the look-up's to know [riseToCentre()].
+// rises within a texel is the look-up's to know [planeGradient()].
 float skyHeight(float firstDepth, float secondDepth, float slope, float back, float texel)
 {
     if (firstDepth >= 1.0) return 0.0;
     float middle = secondDepth < 1.0 ? 0.5 * (secondDepth - firstDepth) : 0.0;
-    float least = min(riseToCorner(slope), 0.1 * texel + 0.05 * abs(slope)); // a G-buffer's normals are not exact
+    float least = leastDrop(slope, texel);
     float most = slope < 0.0 ? least : max(least, back > 0.5 ? 1.0 : texel);
     return max(1.0 - firstDepth - clamp(middle, least, most), 0.0);
 }
 
-// By how much the plane of normal n through a point at texel position xy is higher at the texel's centre. n: in positions and
-// heights.
-float riseToCentre(vec3 n, vec2 xy)
+// How the plane of normal n rises. n: in positions and heights.
+vec2 planeGradient(vec3 n)
 {
-    return -dot(vec2(n.x, n.y), floor(xy) + 0.5 - xy) / max(n.z, 1e-20);
+    return vec2(n.x, n.y) / -max(n.z, 1e-20);
 }
 
 // Direction as a number in [0,1): the way round a square on its tip.
@@ -77,32 +83,54 @@ vec3 atlasLookupPoint(vec3 p, vec3 n, float cosine, float texel)
     return p + n * (0.1 * texel * sqrt(max(1.0 - cosine * cosine, 0.0)));
 }
 
-// Whether the plane through a texel's middle is above height at offset from its centre, by more than a tenth of a texel. gradient: of
-// the first surface.
-bool underPlane(float middle, vec2 gradient, vec2 offset, float height, int size)
+// A point beside a texel of a map, as that sees it. Heights are of the texel's first surface where it is a sheet; of a body it is higher.
+struct BesideTexel {
+    float rise;       // of the point's own plane to the texel's centre
+    float first;      // height there
+    float firstHere;  // of the plane of the first surface, where the point is
+    float slack;      // of both planes
+};
+
+// toCentre: from the point to the texel's centre. plane: how the point's own plane rises. Both normals, the map's and the point's, are
+// off by a little of the slope.
+BesideTexel besideTexel(vec4 texel, vec2 toCentre, vec2 plane, int size)
 {
-    return middle + dot(gradient, offset) > height + 0.1 / float(size) + ATLAS_STEP;
+    vec2 gradient = unpackedRise(texel.y);
+    float slope = length(gradient);
+    BesideTexel b;
+    b.rise = dot(plane, toCentre);
+    b.first = texel.x + leastDrop(slope, 1.0 / float(size));
+    b.firstHere = b.first - dot(gradient, toCentre);
+    b.slack = 0.01 * (1.0 / float(size) + slope) + ATLAS_STEP;
+    return b;
 }
 
-// 1 if the point at texel position xy and height sees the light of the map that starts at corner, else 0. rise: of the point's
-// plane to the texel's centre, where the map was made; believed as far as the first surface rises, too: else it is another.
-// The light from below a floor must not reach the wall that stands on it. The wall may rise that far within the texel, but it is under
-// the floor's plane. So is a point beside the edge of a body, under the plane of its other side. The next texel tells the two apart:
-// there the floor goes on, and the body's other side does not.
-float atlasVisible(sampler2D atlasMap, ivec2 corner, int size, vec2 xy, float height, float rise)
+// Whether the texel shows a surface that goes on over the point at height, and that is before the point's own plane.
+bool coversPoint(BesideTexel b, float height)
+{
+    return b.firstHere > height + b.slack && b.first > height + b.rise + b.slack;
+}
+
+// 1 if the point at texel position xy and height sees the light of the map that starts at corner, else 0. plane: how the point's own
+// rises, where the map was made; believed to the texel's centre as far as the first surface rises, too: else it is another.
+// The light from below a floor must not reach the wall that stands on it, not at its very foot, where the middle of the floor is below the
+// wall. The point is under the plane of the floor then, as it is beside the edge of a body, under the plane of its other side; but that
+// side is not before the point's own plane, and the floor is: in this texel or in the next one before the wall.
+float atlasVisible(sampler2D atlasMap, ivec2 corner, int size, vec2 xy, float height, vec2 plane)
 {
     if (min(xy.x, xy.y) < 0.0 || max(xy.x, xy.y) >= float(size)) return 1.0;
     ivec2 p = ivec2(xy);
-    vec4 middle = texelFetch(atlasMap, corner + p, 0);
-    vec2 gradient = unpackedRise(middle.y);
-    if (middle.x > height + clamp(rise, 0.0, riseToCorner(length(gradient))) + ATLAS_STEP) return 0.0;
-    vec2 offset = xy - vec2(p) - 0.5;
-    if (!underPlane(middle.x, gradient, offset, height, size)) return 1.0;
-    ivec2 next = abs(offset.x) > abs(offset.y) ? ivec2(offset.x < 0.0 ? -1 : 1, 0) : ivec2(0, offset.y < 0.0 ? -1 : 1);
+    vec4 texel = texelFetch(atlasMap, corner + p, 0);
+    vec2 toCentre = vec2(p) + 0.5 - xy;
+    BesideTexel here = besideTexel(texel, toCentre, plane, size);
+    if (texel.x > height + clamp(here.rise, 0.0, riseToCorner(length(unpackedRise(texel.y)))) + ATLAS_STEP) return 0.0;
+    if (here.firstHere <= height + here.slack) return 1.0;
+    if (coversPoint(here, height)) return 0.0;
+    ivec2 next = abs(plane.x) > abs(plane.y) ? ivec2(plane.x > 0.0 ? -1 : 1, 0) : ivec2(0, plane.y > 0.0 ? -1 : 1);
     ivec2 q = p + next;
     if (min(q.x, q.y) < 0 || max(q.x, q.y) >= size) return 1.0;
-    vec4 beside = texelFetch(atlasMap, corner + q, 0);
-    return underPlane(beside.x, unpackedRise(beside.y), offset - vec2(next), height, size) ? 0.0 : 1.0;
+    BesideTexel beside = besideTexel(texelFetch(atlasMap, corner + q, 0), toCentre + vec2(next), plane, size);
+    return coversPoint(beside, height) ? 0.0 : 1.0;
 }
 
 #endif

@@ -55,15 +55,19 @@ ivec2 nearestLightTexel(vec3 direction)
     return ivec2(2 * cell.x, cell.y);
 }
 
-// A point's place in a map, and by how much its plane is higher at the texel's centre.
-vec4 atlasPlace(ivec2 row, vec3 p, vec3 n)
+// A point of a surface as a map shows it.
+struct AtlasPlace {
+    vec3 position;  // in texels, and height
+    vec2 plane;     // how the surface rises
+};
+
+AtlasPlace atlasPlace(ivec2 row, vec3 p, vec3 n)
 {
     mat3x4 toMap = mat3x4(texelFetch(atlasLightMap, row, 0), texelFetch(atlasLightMap, row + ivec2(0, 1), 0),
                           texelFetch(atlasLightMap, row + ivec2(0, 2), 0));
-    vec3 place = vec4(p, 1.0) * toMap;
     // Positions are atlasSize times as fine as heights, and normals go by the inverse.
     vec3 normal = vec4(n, 0.0) * toMap * vec3(atlasShare * atlasShare, atlasShare * atlasShare, 1.0);
-    return vec4(place, riseToCentre(normal, place.xy));
+    return AtlasPlace(vec4(p, 1.0) * toMap, planeGradient(normal));
 }
 
 ivec2 atlasCorner(sampler2D maps, int map)
@@ -82,11 +86,11 @@ float neighbourhoodSees(AtlasLight light, vec3 p, vec3 n, float cosine)
     if (length(p - neighbourhood.xyz) >= end * neighbourhood.w) return -1.0;
     ivec2 row = ivec2(light.index, 4 * (LIGHT_GROUPS + light.group));
     if (texelFetch(atlasLightMap, row + ivec2(0, 3), 0).a < 0.0) return -1.0;
-    vec4 place = atlasPlace(row, atlasLookupPoint(p, n, cosine, neighbourhoodTexel), n);
+    AtlasPlace place = atlasPlace(row, atlasLookupPoint(p, n, cosine, neighbourhoodTexel), n);
     // A map may still be where the neighbourhood was before.
     vec3 extent = vec3(atlasSize, atlasSize, 1.0);
-    if (any(lessThan(place.xyz, vec3(0.0))) || any(greaterThanEqual(place.xyz, extent))) return -1.0;
-    return atlasVisible(finerAtlasMap, atlasCorner(finerAtlasMap, map), atlasSize, place.xy, place.z, place.w);
+    if (any(lessThan(place.position, vec3(0.0))) || any(greaterThanEqual(place.position, extent))) return -1.0;
+    return atlasVisible(finerAtlasMap, atlasCorner(finerAtlasMap, map), atlasSize, place.position.xy, place.position.z, place.plane);
 }
 #endif
 
@@ -108,9 +112,9 @@ float atlasSees(AtlasLight light, vec3 p, vec3 n, float cosine)
     float seen = neighbourhoodSees(light, p, n, cosine);
     if (seen >= 0.0) return seen;
 #endif
-    vec4 place = atlasPlace(ivec2(light.index, 4 * light.group), atlasLookupPoint(p, n, cosine, light.texel), n);
+    AtlasPlace place = atlasPlace(ivec2(light.index, 4 * light.group), atlasLookupPoint(p, n, cosine, light.texel), n);
     ivec2 corner = atlasCorner(atlasMap, 16 * light.index + light.group);
-    return atlasVisible(atlasMap, corner, atlasSize, place.xy, place.z, place.w);
+    return atlasVisible(atlasMap, corner, atlasSize, place.position.xy, place.position.z, place.plane);
 }
 
 #endif

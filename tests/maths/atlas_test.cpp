@@ -71,13 +71,12 @@ TEST(atlas, MapsOfTheSkyKeepTheMiddleOfBodies)
     EXPECT_EQ(0.0, glsl::skyHeight(1.0 - 1e-4, 1.0, 10.0 * texel, 0.0, texel));  // the map's own floor
 }
 
-TEST(atlas, PlanesRiseToTheTexelsCentre)
+TEST(atlas, NormalsTellHowPlanesRise)
 {
     // Of height 2 x - 3 y: its normal is (-2, 3, 1).
-    EXPECT_NEAR(2.0 * (5.5 - 5.2) - 3.0 * (7.5 - 7.9), glsl::riseToCentre(glsl::vec3(-2, 3, 1), glsl::vec2(5.2, 7.9)), 1e-12);
-    EXPECT_EQ(0.0, glsl::riseToCentre(glsl::vec3(-2, 3, 1), glsl::vec2(5.5, 7.5)));
-    EXPECT_EQ(0.0, glsl::riseToCentre(glsl::vec3(0, 0, 1), glsl::vec2(5.1, 7.2)));
-    EXPECT_TRUE(std::isfinite(glsl::riseToCentre(glsl::vec3(1, 0, 0), glsl::vec2(5.1, 7.2))));
+    EXPECT_EQ(glsl::vec2(2, -3), glsl::planeGradient(glsl::vec3(-2, 3, 1)));
+    EXPECT_EQ(glsl::vec2(0, 0), glsl::planeGradient(glsl::vec3(0, 0, 1)));
+    EXPECT_TRUE(std::isfinite(glsl::planeGradient(glsl::vec3(1, 0, 0)).x));
 }
 
 TEST(atlas, VisibleAtOrAboveTheMapsHeightAndOutsideIt)
@@ -85,7 +84,7 @@ TEST(atlas, VisibleAtOrAboveTheMapsHeightAndOutsideIt)
     const float heights[] = {0.5f, 0, 0, 0, 0.25f, 0, 0, 0, 0.0f, 0, 0, 0, 1.0f, 0, 0, 0};
     const glsl::sampler2D map{heights, 2, 2};
     const auto sees = [&](double x, double y, double height) {
-        return glsl::atlasVisible(map, glsl::ivec2(0, 0), 2, glsl::vec2(x, y), height, 0.0);
+        return glsl::atlasVisible(map, glsl::ivec2(0, 0), 2, glsl::vec2(x, y), height, glsl::vec2(0.0, 0.0));
     };
     EXPECT_EQ(1.0, sees(0.5, 0.5, 0.5));
     EXPECT_EQ(0.0, sees(0.5, 0.5, 0.4999));
@@ -95,18 +94,38 @@ TEST(atlas, VisibleAtOrAboveTheMapsHeightAndOutsideIt)
     EXPECT_EQ(1.0, sees(-0.5, 1.5, 0.0));
 }
 
+// Two texels of a map. Heights fall to the right by this much a texel.
+struct AtlasPair {
+    static const int size = 16;
+    const double slope = std::exp2(-4.0);  // one that a byte holds
+    const double least = glsl::leastDrop(slope, 1.0 / size);
+    const double slack = 0.01 * (1.0 / size + slope) + 5e-5;
+    std::vector<float> texels = std::vector<float>(size_t(size) * size * 4, 0.0f);
+
+    void put(size_t x, double first)
+    {
+        texels[4 * x] = float(first - least);
+        texels[4 * x + 1] = float(glsl::packedRise(slope, glsl::turnOf(glsl::vec2(-1.0, 0.0))));
+    }
+
+    double sees(double x, double height, const glsl::vec2& plane) const
+    {
+        const glsl::sampler2D map{texels.data(), size, size};
+        return glsl::atlasVisible(map, glsl::ivec2(0, 0), size, glsl::vec2(x, 0.5), height, plane);
+    }
+};
+
+// The point lies at the right of a texel, where its plane is lower than in the middle of the texel.
 TEST(atlas, TheRiseOfAPlaneCountsAsFarAsTheFirstSurfaceRises)
 {
-    const double slope = std::exp2(-3.25);  // one that a byte holds
-    const float heights[] = {0.5f, float(glsl::packedRise(slope, 0.0)), 0, 0};
-    const glsl::sampler2D map{heights, 1, 1};
-    const auto sees = [&](double below, double rise) {
-        return glsl::atlasVisible(map, glsl::ivec2(0, 0), 1, glsl::vec2(0.5, 0.5), 0.5 - below, rise);
-    };
-    EXPECT_EQ(1.0, sees(0.03, 0.03));
-    EXPECT_EQ(0.0, sees(0.03, 0.02));
-    EXPECT_EQ(0.0, sees(0.08, 0.08));  // more than .71 of the slope
-    EXPECT_EQ(1.0, sees(0.0, -0.03));  // lower at the centre: the point is not
+    AtlasPair map;
+    const double first = 0.5, x = 1.0 - 1e-6;
+    map.put(0, first);
+    const auto sees = [&](double below, double rise) { return map.sees(x, first - below, glsl::vec2(-2.0 * rise, 0.0)); };
+    EXPECT_EQ(1.0, sees(0.5 * map.slope, 0.5 * map.slope));
+    EXPECT_EQ(0.0, sees(0.5 * map.slope, 0.3 * map.slope));
+    EXPECT_EQ(0.0, sees(map.slope, map.slope));         // more than .71 of the slope
+    EXPECT_EQ(1.0, sees(0.5 * map.least, -map.slope));  // higher than the middle, whatever its plane does
 }
 
 // Half a step of either byte: 1/32 of an octave, and 1/512 of the way round a square, 8/512 radians in the middle of a side.
@@ -127,30 +146,40 @@ TEST(atlas, TheRiseOfTheFirstSurfaceIsKeptInTwoBytes)
     EXPECT_DOUBLE_EQ(1.0, glsl::length(glsl::unpackedRise(glsl::packedRise(30.0, 0.0))));
 }
 
-TEST(atlas, NothingIsSeenFromUnderASurfaceThatGoesOnInTheNextTexel)
+// A wall faces the right and stands on a floor, whose lower side the map shows.
+TEST(atlas, NoLightReachesTheFootOfAWallFromUnderTheFloor)
 {
-    const int size = 16;
-    std::vector<float> texels(size_t(size) * size * 4, 0.0f);
-    const double slope = std::exp2(-4.0);  // rises to the right
-    const double slack = 0.1 / size + 5e-5;
-    const auto put = [&](size_t x, double height) {
-        texels[4 * x] = float(height);
-        texels[4 * x + 1] = float(glsl::packedRise(slope, glsl::turnOf(glsl::vec2(1.0, 0.0))));
-    };
-    const auto sees = [&](double x, double height) {
-        const glsl::sampler2D map{texels.data(), size, size};
-        return glsl::atlasVisible(map, glsl::ivec2(0, 0), size, glsl::vec2(x, 0.5), height, 1.0);
-    };
-    put(0, 0.5);
-    put(1, 0.5 + slope);
-    EXPECT_EQ(1.0, sees(0.9, 0.5 + 0.4 * slope - 0.99 * slack));
-    EXPECT_EQ(0.0, sees(0.9, 0.5 + 0.4 * slope - 1.01 * slack));
-    // On its low side the middle decides, and the rise of the point's own plane.
-    EXPECT_EQ(1.0, sees(0.1, 0.5 - 0.4 * slope));
-    EXPECT_EQ(0.0, sees(0.1, 0.5 - 0.75 * slope));
-    // A body's edge: the next texel shows its other side.
-    put(1, 0.5);
-    EXPECT_EQ(1.0, sees(0.9, 0.5 + 0.4 * slope - 1.5 * slack));
+    AtlasPair map;
+    const double first = 0.5;
+    map.put(0, first);
+    map.put(1, first - map.slope);
+    const glsl::vec2 wall(-100.0 * map.slope, 0.0);
+    const auto floorAt = [&](double x) { return first - map.slope * (x - 0.5); };
+    for (double x : {0.2, 0.45, 0.55, 0.8}) {
+        EXPECT_EQ(0.0, map.sees(x, floorAt(x) - 1.01 * map.slack, wall)) << x;
+        EXPECT_EQ(1.0, map.sees(x, floorAt(x) - 0.99 * map.slack, wall)) << x;
+        EXPECT_EQ(1.0, map.sees(x, floorAt(x) + 0.01, wall)) << x;
+    }
+    // Where the floor ends at the wall, nothing is before it.
+    AtlasPair edge;
+    edge.put(0, first);
+    EXPECT_EQ(0.0, edge.sees(0.2, floorAt(0.2) - 1.01 * edge.slack, wall));
+    EXPECT_EQ(1.0, edge.sees(0.8, floorAt(0.8) - 1.01 * edge.slack, wall));
+}
+
+// A point is under the planes of the other sides of its own body: they are not before its own side.
+TEST(atlas, ABodyDoesntShadeItsSidesBesideAnEdge)
+{
+    AtlasPair map;
+    const double first = 0.5;
+    map.put(0, first);
+    map.put(1, first - 2.0 * map.slope);  // the other side is steeper
+    const glsl::vec2 steeper(-2.0 * map.slope, 0.0);
+    for (double x : {0.55, 0.7, 0.9}) EXPECT_EQ(1.0, map.sees(x, first - 2.0 * map.slope * (x - 0.5), steeper)) << x;
+    // A surface is not under its own plane.
+    const glsl::vec2 own(-map.slope, 0.0);
+    map.put(1, first - map.slope);
+    for (double x : {0.05, 0.5, 0.95, 1.4}) EXPECT_EQ(1.0, map.sees(x, first - map.slope * (x - 0.5), own)) << x;
 }
 
 }  // namespace atlas_test
