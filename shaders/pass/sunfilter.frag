@@ -21,6 +21,9 @@ float visibilityOf(int sun, ivec2 p)
     vec3 n = pixelNormal(p);
     vec3 eye = pixelEye(p);
     PixelPlane plane = pixelPlane(eye, pixelFacet(p, eye, n, s.footprint), 1.5 * s.footprint);
+    // Pixels that do not face the sun have not asked whether it is hidden.
+    vec3 towards = sunAxes[3 * sun + 2] * mat3(atlasFromEye);
+    float faces = -tan(sunRadius[sun]);
     int most = reach > 1.5 ? 2 : 1;
     for (int y = -most; y <= most; ++y)
         for (int x = -most; x <= most; ++x) {
@@ -28,7 +31,9 @@ float visibilityOf(int sun, ivec2 p)
             float w = clamp(reach + 0.5 - float(max(abs(x), abs(y))), 0.0, 1.0);
             float depth = texelFetch(depthMap, q, 0).r;
             if ((x == 0 && y == 0) || q != clamp(q, ivec2(0), last) || depth >= 1.0) continue;
-            w *= surfaceWeight(planeDistance(plane, q, depth), dot(n, texelFetch(normalMap, q, 0).xyz * 2.0 - 1.0));
+            vec3 other = texelFetch(normalMap, q, 0).xyz * 2.0 - 1.0;
+            if (dot(other, towards) <= faces) continue;
+            w *= surfaceWeight(planeDistance(plane, q, depth), dot(n, other));
             sum += w * vec2(seenAt(sun, q).x, 1.0);
         }
     return sum.x / sum.y;

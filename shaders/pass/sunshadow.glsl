@@ -58,6 +58,15 @@ SunMap sunMapAt(int sun, SunPixel s, out vec4 own)
     return m;
 }
 
+// A point of the disc that the surface of normal n faces, from one that it may not face: of those opposite. across, up: of n.
+// What a pixel does not face is not seen by it, be it hidden or not: taken for seen, it would light walls in the shade where the sun grazes.
+vec2 facedPoint(vec3 n, float spread, vec2 point)
+{
+    float rise = dot(n.xy, point);
+    if (n.z + rise > 0.0) return point;
+    return n.z - rise > 0.0 ? -point : n.xy * (spread / max(length(n.xy), 1e-20));
+}
+
 // Share of the sun's light on the surface that reaches it, by rays to count points of the disc; and the width of the
 // penumbra there in pixels, 0 where nothing hides it. The plane's own horizon is not counted.
 vec2 sunSeen(int sun, SunPixel s, int count)
@@ -82,7 +91,7 @@ vec2 sunSeen(int sun, SunPixel s, int count)
     float height = 0.0;
     float hidden = 0.0;
     for (int k = 0; k < count; ++k) {
-        vec2 across = spread * sunDiscPoint(k, count, s.group);
+        vec2 across = facedPoint(n, spread, spread * sunDiscPoint(k, count, s.group));
         float cosine = n.z + dot(n.xy, across);
         if (cosine <= 0.0) continue;
         all += cosine;

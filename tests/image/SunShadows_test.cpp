@@ -105,6 +105,25 @@ TEST(SunShadows, CurvedBodiesDontShadeTheirLitSide)
     }
 }
 
+// Where the sun grazes it, a ball beside those pixels does not face the sun: they have not asked whether it is hidden.
+TEST(SunShadows, AWallsShadowHasNoBrightLineWhereTheSunGrazes)
+{
+    SceneRenderer renderer(192, 192);
+    const osg::ref_ptr<LitScene> lit = sunny(osg::Vec3d(1, 0, 0.5), 0.7);
+    lit->addChild(makeSphere(osg::Vec3d(), 1.0));
+    lit->addChild(makeBox(osg::Vec3d(2.5, -4, -4), osg::Vec3d(3, 4, 6)));
+    lit->getSettings()->bounce = Settings::BOUNCE_OFF;
+    lit->getSettings()->view = Settings::BEAUTY;
+    for (double side : {-1.0, 1.0}) {
+        renderer.lookAt(osg::Vec3d(0, -6, 2 * side), osg::Vec3d());
+        const Picture p = renderer.render(lit);
+        double most = 0.0;
+        for (int y = 60; y < 132; ++y)
+            for (int x = 60; x < 132; ++x) most = std::max(most, double(p.color(x, y)[0]));
+        EXPECT_EQ(0.0, most) << side;
+    }
+}
+
 // The shadow of a box begins at its foot, of which this sees a stretch of 14 texels.
 TEST(SunShadows, ShadowsBeginWhereBodiesStand)
 {
