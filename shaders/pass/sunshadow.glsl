@@ -59,7 +59,7 @@ SunMap sunMapAt(int sun, SunPixel s, out vec4 own)
 }
 
 // A point of the disc that the surface of normal n faces, from one that it may not face: of those opposite. across, up: of n.
-// What a pixel does not face is not seen by it, be it hidden or not: taken for seen, it would light walls in the shade where the sun grazes.
+// What a pixel does not face is not seen by it, hidden or not: taken for seen, it would light walls in the shade where the sun grazes.
 vec2 facedPoint(vec3 n, float spread, vec2 point)
 {
     float rise = dot(n.xy, point);
