@@ -72,29 +72,6 @@ float emitterMapRise(EmitterMap m, vec3 p, vec3 n, vec2 texels)
     return away < 0.0 ? dot(gradient, texels) / away : 0.0;
 }
 
-// 1 if the point at place, whose own plane rises so far to the texel's centre, is seen from the map's point, else 0. As atlasVisible(), in
-// shares of the point's height.
-float emitterMapSees(sampler2D maps, EmitterMap m, vec3 place, float rise)
-{
-    vec2 xy = vec2(place.x, place.y);
-    ivec2 p = ivec2(xy);
-    vec4 texel = texelFetch(maps, m.corner + p, 0);
-    float width = emitterTexelWidth(m);
-    float middle = unpackedHeight(texel.x, m.octaves) / place.z;
-    vec2 gradient = unpackedRise(texel.y) * middle;
-    if (middle > 1.0 + clamp(rise, 0.0, riseToCorner(length(gradient))) + emitterMapStep(m)) return 0.0;
-    // The plane of the texel's surface, as underPlane() has it.
-    float least = 1.0 + 0.1 * width + emitterMapStep(m);
-    vec2 offset = xy - vec2(p) - 0.5;
-    if (middle + dot(gradient, offset) <= least) return 1.0;
-    ivec2 next = abs(offset.x) > abs(offset.y) ? ivec2(offset.x < 0.0 ? -1 : 1, 0) : ivec2(0, offset.y < 0.0 ? -1 : 1);
-    ivec2 q = p + next;
-    if (min(q.x, q.y) < 0 || max(q.x, q.y) >= m.size) return 1.0;
-    vec4 beside = texelFetch(maps, m.corner + q, 0);
-    float besideMiddle = unpackedHeight(beside.x, m.octaves) / place.z;
-    return besideMiddle * (1.0 + dot(unpackedRise(beside.y), offset - vec2(next))) <= least ? 1.0 : 0.0;
-}
-
 // The face of a cube about the origin that direction d meets: +x, -x, +y, -y, +z, -z.
 int cubeFace(vec3 d)
 {
@@ -138,6 +115,23 @@ float emitterMapShare(sampler2D maps, EmitterMap m, vec3 p, vec3 n, vec3 place)
             vec2 centre = vec2(at) + 0.5;
             float passes = emitterTexelPasses(texelFetch(maps, m.corner + at, 0), m, centre, place, emitterMapRise(m, p, n, centre - xy));
             sum += splineWeight(x, d.x) * splineWeight(y, d.y) * passes;
+        }
+    return sum;
+}
+
+// The same over 2 x 2 texels, linearly between their centres: for one of the many points of a light, whose shadows' edges overlap.
+float emitterMapLinearShare(sampler2D maps, EmitterMap m, vec3 p, vec3 n, vec3 place)
+{
+    vec2 xy = vec2(place.x, place.y);
+    vec2 first = floor(xy - 0.5);
+    vec2 part = xy - 0.5 - first;
+    float sum = 0.0;
+    for (int y = 0; y <= 1; ++y)
+        for (int x = 0; x <= 1; ++x) {
+            ivec2 at = clamp(ivec2(first) + ivec2(x, y), ivec2(0), ivec2(m.size - 1));
+            vec2 centre = vec2(at) + 0.5;
+            float passes = emitterTexelPasses(texelFetch(maps, m.corner + at, 0), m, centre, place, emitterMapRise(m, p, n, centre - xy));
+            sum += (x == 0 ? 1.0 - part.x : part.x) * (y == 0 ? 1.0 - part.y : part.y) * passes;
         }
     return sum;
 }

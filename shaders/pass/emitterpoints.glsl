@@ -53,9 +53,9 @@ float emitterKernel(EmitterPoint e, vec3 to, vec3 n)
     return max(dot(n, to), 0.0) * max(-dot(e.normal, to), 0.0) / (square * (PI * square + e.area));
 }
 
-// 1 if the surface at p with unit normal n sees the point, else 0. The point's map is a pyramid and does not reach directions that graze
-// the light. There a flat light counts as seen: none of its points reaches them. A round light gives -1, unknown: other points of it face
-// there and replace this one. Without that, a lamp shines through its shade.
+// 1 if the surface at p with unit normal n sees the point, else 0; over a texel at a shadow's edge, what is between. The point's map is a
+// pyramid and does not reach directions that graze the light. There a flat light counts as seen: none of its points reaches them. A
+// round light gives -1, unknown: other points of it face there and replace this one. Without that, a lamp shines through its shade.
 float emitterSees(EmitterPoint e, vec3 p, vec3 n)
 {
     if (e.map.tangent <= 0.0) return 1.0;
@@ -65,8 +65,7 @@ float emitterSees(EmitterPoint e, vec3 p, vec3 n)
         bool grazes = max(abs(v.position.x), abs(v.position.y)) > abs(widest) * v.position.z;
         return grazes && widest < 0.0 ? -1.0 : 1.0;
     }
-    vec2 xy = v.place.xy;
-    return emitterMapSees(emitterMaps, e.map, v.place, emitterMapRise(e.map, v.position, v.normal, floor(xy) + 0.5 - xy));
+    return emitterMapLinearShare(emitterMaps, e.map, v.position, v.normal, v.place);
 }
 
 // What points send to a surface: all of them, those that know whether they are seen, and those that are.

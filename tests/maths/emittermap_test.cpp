@@ -106,16 +106,14 @@ TEST(emittermap, ASheetIsSeenAndHidesWhatLiesBehindIt)
             if (!(distance > 0.0) || distance > 20.0) continue;
             const auto sees = [&](const glsl::vec3& p) {
                 const glsl::vec3 place = glsl::emitterMapPlace(m, p);
-                if (place.z <= 0.0) return 1.0;
-                const glsl::vec2 xy(place.x, place.y);
-                return glsl::emitterMapSees(map.sampler, m, place, glsl::emitterMapRise(m, p, n, glsl::floor(xy) + 0.5 - xy));
+                return place.z > 0.0 ? glsl::emitterMapLinearShare(map.sampler, m, p, n, place) : 1.0;
             };
             const glsl::vec3 on = distance * ray;
             const double texel = glsl::emitterTexelWidth(m) * on.z;
             const double cosine = std::abs(glsl::dot(n, glsl::normalize(on)));
             ++count;
-            wrong += sees(glsl::atlasLookupPoint(on, n, cosine, texel)) < 0.5 ? 1 : 0;
-            leaks += sees(on - n * (4.0 * texel)) > 0.5 ? 1 : 0;
+            wrong += sees(glsl::atlasLookupPoint(on, n, cosine, texel)) < 1.0 - 1e-12 ? 1 : 0;
+            leaks += sees(on - n * (4.0 * texel)) > 0.0 ? 1 : 0;
         }
         ASSERT_GT(count, 1000);
         EXPECT_EQ(0, wrong) << tilt;
@@ -137,9 +135,10 @@ TEST(emittermap, SplineWeightsAreAPartition)
     }
 }
 
-// A sheet before half of the view: its shadow on a plane behind it, level and aslant, goes from none to all within three texels,
-// half-way at its edge. The plane shades itself nowhere.
-TEST(emittermap, AShadowsEdgeIsSmooth)
+// A sheet before half of the view: its shadow on a plane behind it, level and aslant, goes from none to all within so many texels
+// on either side, half-way at its edge. The plane shades itself nowhere.
+template <class Share>
+void expectSmoothEdge(const Share& share, double reach)
 {
     const glsl::EmitterMap m = wideMap(64);
     for (double tilt : {0.0, 0.5, 1.1}) {
@@ -149,24 +148,32 @@ TEST(emittermap, AShadowsEdgeIsSmooth)
         const PlaneMap sheet(m, glsl::vec3(0, 0, -1), -0.5);  // at distance 1/2
         for (size_t i = 0; i < map.texels.size(); ++i)
             if (i / 4 % 64 < 32) map.texels[i] = sheet.texels[i];
+        const auto at = [&](double texels) {
+            const glsl::vec3 ray(texels * glsl::emitterTexelWidth(m), 0.3, 1.0);
+            const glsl::vec3 p = ray * (offset / glsl::dot(n, ray));
+            return share(map.sampler, m, p, n, glsl::emitterMapPlace(m, p));
+        };
         double before = 0.0;
         for (int i = 0; i < 400; ++i) {
             const double texels = (i - 200) / 40.0;  // from the edge
-            const glsl::vec3 ray(texels * glsl::emitterTexelWidth(m), 0.3, 1.0);
-            const glsl::vec3 p = ray * (offset / glsl::dot(n, ray));
-            const double share = glsl::emitterMapShare(map.sampler, m, p, n, glsl::emitterMapPlace(m, p));
-            if (texels < -1.5) {
-                EXPECT_EQ(0.0, share) << tilt << " " << texels;
+            const double seen = at(texels);
+            if (texels < -reach) {
+                EXPECT_EQ(0.0, seen) << tilt << " " << texels;
             }
-            if (texels > 1.5) {
-                EXPECT_NEAR(1.0, share, 1e-12) << tilt << " " << texels;
+            if (texels > reach) {
+                EXPECT_NEAR(1.0, seen, 1e-12) << tilt << " " << texels;
             }
-            EXPECT_GE(share, before - 1e-12) << tilt << " " << texels;
-            before = share;
+            EXPECT_GE(seen, before - 1e-12) << tilt << " " << texels;
+            before = seen;
         }
-        const glsl::vec3 edge = glsl::vec3(0, 0.3, 1.0) * (offset / glsl::dot(n, glsl::vec3(0, 0.3, 1.0)));
-        EXPECT_NEAR(0.5, glsl::emitterMapShare(map.sampler, m, edge, n, glsl::emitterMapPlace(m, edge)), 1e-12) << tilt;
+        EXPECT_NEAR(0.5, at(0.0), 1e-12) << tilt;
     }
+}
+
+TEST(emittermap, AShadowsEdgeIsSmooth)
+{
+    expectSmoothEdge(glsl::emitterMapShare, 1.5);
+    expectSmoothEdge(glsl::emitterMapLinearShare, 0.5);
 }
 
 }  // namespace emittermap_test
