@@ -130,6 +130,28 @@ TEST(ProbeGrid, IsOffOrOutsideWhereABodyIs)
     EXPECT_LT(off, int(probed.grid.probes()) / 3);
 }
 
+// As behind a screen that hangs on a wall.
+TEST(ProbeGrid, CountsLittleInANarrowGap)
+{
+    TracedScene scene = makeRoom();
+    addBox(scene, addSurface(scene, true), osg::Vec3f(0.06f, 1, 0.5f), osg::Vec3f(0.12f, 3, 2.5f), false);
+    const Probed probed(scene, 12);
+    int inGap = 0, open = 0;
+    for (const ProbeGrid::Place& place : probed.grid.places) {
+        const osg::Vec3f& p = place.position;
+        if (p.x() < 0.06f && p.y() > 1.2f && p.y() < 2.8f && p.z() > 0.7f && p.z() < 2.3f) {
+            ++inGap;
+            EXPECT_LT(place.weight, 0.1f);
+        }
+        if (p.x() > 1.0f && p.x() < 3.0f && p.y() > 1.0f && p.y() < 3.0f && p.z() > 1.0f && p.z() < 2.0f) {
+            ++open;
+            EXPECT_EQ(1.0f, place.weight);
+        }
+    }
+    EXPECT_GT(inGap, 0);
+    EXPECT_GT(open, 0);
+}
+
 TEST(ProbeGrid, HolesLetTheirShareOfRaysPass)
 {
     for (const float opacity : {0.2f, 0.7f}) {

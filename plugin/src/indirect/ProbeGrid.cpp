@@ -64,6 +64,20 @@ struct Extent {
     float low, high;
 };
 
+// Of each direction the one that is most nearly opposite.
+std::vector<size_t> makeOpposites()
+{
+    const std::vector<ProbeGrid::Direction>& all = ProbeGrid::directions();
+    std::vector<size_t> opposites;
+    for (const ProbeGrid::Direction& d : all)
+        opposites.push_back(size_t(std::min_element(all.begin(), all.end(),
+                                                    [&](const ProbeGrid::Direction& a, const ProbeGrid::Direction& b) {
+                                                        return a.to * d.to < b.to * d.to;
+                                                    }) -
+                                   all.begin()));
+    return opposites;
+}
+
 // Where the planes of a grid cross an axis: half of them evenly spread, half as the triangles are, so that a ground far and wide
 // takes few of the probes.
 std::vector<float> planesAlong(const std::vector<Extent>& triangles, const Extent& all, int count)
@@ -229,9 +243,10 @@ void ProbeGrid::addLevel(const TracedScene& scene, const CasterBvh& bvh, const N
         for (at[1] = 0; at[1] < int(planes[1].size()); ++at[1])
             for (at[0] = 0; at[0] < int(planes[0].size()); ++at[0]) {
                 if (stop && *stop) return;
-                Place place{osg::Vec3f(planes[0][size_t(at[0])], planes[1][size_t(at[1])], planes[2][size_t(at[2])]), true};
+                Place place{osg::Vec3f(planes[0][size_t(at[0])], planes[1][size_t(at[1])], planes[2][size_t(at[2])]), 1.0f, true};
                 const Spacing spacing = spacingAt(planes, at);
                 const std::vector<Seen> seen = settle(scene, bvh, place, spacing.least);
+                place.weight = weightOf(seen, std::cbrt(spacing.widest.x() * spacing.widest.y() * spacing.widest.z()));
                 places.push_back(place);
                 addLinks(scene, nearest, place, seen);
                 addDepths(seen, spacing.widest.length());
@@ -255,6 +270,7 @@ void ProbeGrid::replaceThoseOff(size_t first)
             return (places[a].position - place).length2() < (places[b].position - place).length2();
         });
         places[i].position = places[nearest].position;
+        places[i].weight = places[nearest].weight;
         copy(links, directions().size(), nearest, i);
         copy(depths, size_t(depthSide) * depthSide, nearest, i);
     }
@@ -288,6 +304,19 @@ std::vector<ProbeGrid::Seen> ProbeGrid::look(const TracedScene& scene, const Cas
             seen.push_back({hit->distance, int(hit->triangle), hit->back});
     }
     return seen;
+}
+
+// By how far it sees, in cells, on the farther side of each direction: about .5 in the middle of a gap of a third of a cell, over
+// .9 beside a wall and in a corner.
+float ProbeGrid::weightOf(const std::vector<Seen>& seen, float cell) const
+{
+    static const std::vector<size_t> opposites = makeOpposites();
+    float mean = 0.0f;
+    for (size_t k = 0; k < seen.size(); ++k) {
+        const float farther = std::max(seen[k].distance, seen[opposites[k]].distance);
+        mean += directions()[k].share * std::min(farther / cell, 1.0f);
+    }
+    return std::clamp((mean - 0.5f) / 0.4f, 0.03f, 1.0f);
 }
 
 // A probe within a body, which sees its inside over a quarter of all directions, moves out through the nearest side if that is

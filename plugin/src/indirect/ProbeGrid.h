@@ -43,6 +43,7 @@ struct OSGENVLIGHT_EXPORT ProbeGrid {
     std::vector<Level> levels;
     struct Place {
         osg::Vec3f position;  // may be off the planes, out of a body
+        float weight;         // little in a narrow gap: it is also seen from beside the gap, of which it knows nothing
         bool on;              // else it lies within one, and all that it knows is of the nearest that is on
     };
     std::vector<Place> places;  // of each level, first along x
@@ -61,6 +62,7 @@ struct OSGENVLIGHT_EXPORT ProbeGrid {
     void addLevel(const TracedScene& scene, const CasterBvh& bvh, const NearestPoint& nearest, const Level& level,
                   const std::atomic<bool>* stop);
     void addLinks(const TracedScene& scene, const NearestPoint& nearest, const Place& place, const std::vector<Seen>& seen);
+    float weightOf(const std::vector<Seen>& seen, float cell) const;
     void addDepths(const std::vector<Seen>& seen, float widest);
     void replaceThoseOff(size_t first);
 };

@@ -111,7 +111,10 @@ void TransportScene::writeProbes(const ProbeGrid& grid)
     columns = int(std::ceil(std::sqrt(double(probes))));
     uniforms->addUniform(new osg::Uniform("probeColumns", columns));
     Texels places(columns, columns, 4);
-    for (int i = 0; i < probes; ++i) places.put(i, grid.places[size_t(i)].position, grid.places[size_t(i)].on ? 1.0f : ofOthers);
+    for (int i = 0; i < probes; ++i) {
+        const ProbeGrid::Place& place = grid.places[size_t(i)];
+        places.put(i, place.position, place.on ? place.weight : ofOthers * place.weight);
+    }
     probePlaces = places.texture(GL_RGBA32F_ARB);
 
     const auto& all = ProbeGrid::directions();
