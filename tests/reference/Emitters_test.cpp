@@ -238,7 +238,8 @@ TEST(ReferenceEmitters, LightNothingFromTheirPlaneOrFromWithin)
     const osg::ref_ptr<AreaLight> beside = lamp(1.0);
     beside->setRectangle(osg::Vec3d(0.5, 0, 0), osg::Vec3d(0.5, 0, 0), osg::Vec3d(0, 1, 0));
     beside->setTwoSided(true);
-    for (const auto& light : {beside, invisible(sphere(osg::Vec3d(0.1, 0, 0.2), 0.5)), invisible(disc(osg::Vec3d(), 1.0))})
+    for (const auto& light :
+         {invisible(beside), invisible(sphere(osg::Vec3d(0.1, 0, 0.2), 0.5)), invisible(disc(osg::Vec3d(), 1.0))})
         for (const auto estimator : allEstimators) {
             const auto scene = together({whiteFloor(), light});
             const Traced view = originOf(*scene);
