@@ -83,7 +83,7 @@ vec3 atlasLookupPoint(vec3 p, vec3 n, float cosine, float texel)
     return p + n * (0.1 * texel * sqrt(max(1.0 - cosine * cosine, 0.0)));
 }
 
-// A point beside a texel of a map, as that sees it. Heights are of the texel's first surface where it is a sheet; of a body it is higher.
+// A point and the first surface that a texel shows. The map keeps a sheet's height, and less than a body's: then first is too low.
 struct BesideTexel {
     float rise;       // of the point's own plane to the texel's centre
     float first;      // height there

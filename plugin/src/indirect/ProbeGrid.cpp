@@ -314,7 +314,7 @@ float ProbeGrid::weightOf(const std::vector<Seen>& seen, float cell) const
     float mean = 0.0f;
     for (size_t k = 0; k < seen.size(); ++k) {
         const float farther = std::max(seen[k].distance, seen[opposites[k]].distance);
-        mean += directions()[k].share * std::min(farther / cell, 1.0f);
+        mean += directions()[k].share * std::min(1.0f, farther / cell);
     }
     return std::clamp((mean - 0.5f) / 0.4f, 0.03f, 1.0f);
 }
