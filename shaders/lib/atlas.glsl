@@ -27,8 +27,8 @@ float midpointHeight(float firstDepth, float secondDepth, float slope, float lim
     return max(min(middle, first - min(riseToCorner(slope), most)), 0.0);
 }
 
-// By how much a surface of the sky is let down at least, not to shade itself: a G-buffer's normals are not exact. slope: heights per
-// texel. texel: in heights.
+// The least by which a map of the sky lowers a surface, so that it does not shade itself where normals are not exact. slope: heights
+// per texel. texel: in heights.
 float leastDrop(float slope, float texel)
 {
     return min(riseToCorner(slope), 0.1 * texel + 0.05 * abs(slope));
@@ -46,7 +46,7 @@ float skyHeight(float firstDepth, float secondDepth, float slope, float back, fl
     return max(1.0 - firstDepth - clamp(middle, least, most), 0.0);
 }
 
-// How the plane of normal n rises. n: in positions and heights.
+// Gradient of the plane of normal n, heights per texel. n: in positions and heights.
 vec2 planeGradient(vec3 n)
 {
     return vec2(n.x, n.y) / -max(n.z, 1e-20);
@@ -83,53 +83,53 @@ vec3 atlasLookupPoint(vec3 p, vec3 n, float cosine, float texel)
     return p + n * (0.1 * texel * sqrt(max(1.0 - cosine * cosine, 0.0)));
 }
 
-// A point and the first surface that a texel shows. The map keeps a sheet's height, and less than a body's: then first is too low.
-struct BesideTexel {
+// A texel's first surface, as it lies to a point beside the texel's centre. Of a sheet it is exact; the map keeps less than a body's height.
+struct TexelSurface {
+    float slope;      // of the surface, heights per texel
     float rise;       // of the point's own plane to the texel's centre
-    float first;      // height there
-    float firstHere;  // of the plane of the first surface, where the point is
-    float slack;      // of both planes
+    float height;     // of the surface at the centre
+    float overPoint;  // height of its plane where the point is
+    float slack;      // of both planes, whose normals are not exact
 };
 
-// toCentre: from the point to the texel's centre. plane: how the point's own plane rises. Both normals, the map's and the point's, are
-// off by a little of the slope.
-BesideTexel besideTexel(vec4 texel, vec2 toCentre, vec2 plane, int size)
+// toCentre: from the point to the texel's centre. plane: gradient of the point's own plane.
+TexelSurface texelSurface(vec4 texel, vec2 toCentre, vec2 plane, int size)
 {
     vec2 gradient = unpackedRise(texel.y);
-    float slope = length(gradient);
-    BesideTexel b;
-    b.rise = dot(plane, toCentre);
-    b.first = texel.x + leastDrop(slope, 1.0 / float(size));
-    b.firstHere = b.first - dot(gradient, toCentre);
-    b.slack = 0.01 * (1.0 / float(size) + slope) + ATLAS_STEP;
-    return b;
+    TexelSurface s;
+    s.slope = length(gradient);
+    s.rise = dot(plane, toCentre);
+    s.height = texel.x + leastDrop(s.slope, 1.0 / float(size));
+    s.overPoint = s.height - dot(gradient, toCentre);
+    s.slack = 0.01 * (1.0 / float(size) + s.slope) + ATLAS_STEP;
+    return s;
 }
 
-// Whether the texel shows a surface that goes on over the point at height, and that is before the point's own plane.
-bool coversPoint(BesideTexel b, float height)
+// Whether the surface covers the point at height: its plane is above the point, and it is itself above the point's own plane.
+bool coversPoint(TexelSurface s, float height)
 {
-    return b.firstHere > height + b.slack && b.first > height + b.rise + b.slack;
+    return s.overPoint > height + s.slack && s.height > height + s.rise + s.slack;
 }
 
-// 1 if the point at texel position xy and height sees the light of the map that starts at corner, else 0. plane: how the point's own
-// rises, where the map was made; believed to the texel's centre as far as the first surface rises, too: else it is another.
-// The light from below a floor must not reach the wall that stands on it, not at its very foot, where the middle of the floor is below the
-// wall. The point is under the plane of the floor then, as it is beside the edge of a body, under the plane of its other side; but that
-// side is not before the point's own plane, and the floor is: in this texel or in the next one before the wall.
+// 1 if the point at texel position xy and height sees the light of the map that starts at corner, else 0. plane: gradient of the point's
+// own plane. It counts up to what the texel's first surface rises to a corner: a steeper plane is another surface's.
+// A wall stands on a floor: light from below the floor must not reach the wall's foot, which is above the height that the map keeps of
+// the floor. The floor covers the foot, in this texel or in the next one before the wall. The other sides of a body do not cover a
+// point at its edge: their planes are above the point, but they are below the point's own plane.
 float atlasVisible(sampler2D atlasMap, ivec2 corner, int size, vec2 xy, float height, vec2 plane)
 {
     if (min(xy.x, xy.y) < 0.0 || max(xy.x, xy.y) >= float(size)) return 1.0;
     ivec2 p = ivec2(xy);
     vec4 texel = texelFetch(atlasMap, corner + p, 0);
     vec2 toCentre = vec2(p) + 0.5 - xy;
-    BesideTexel here = besideTexel(texel, toCentre, plane, size);
-    if (texel.x > height + clamp(here.rise, 0.0, riseToCorner(length(unpackedRise(texel.y)))) + ATLAS_STEP) return 0.0;
-    if (here.firstHere <= height + here.slack) return 1.0;
+    TexelSurface here = texelSurface(texel, toCentre, plane, size);
+    if (texel.x > height + clamp(here.rise, 0.0, riseToCorner(here.slope)) + ATLAS_STEP) return 0.0;
+    if (here.overPoint <= height + here.slack) return 1.0;
     if (coversPoint(here, height)) return 0.0;
     ivec2 next = abs(plane.x) > abs(plane.y) ? ivec2(plane.x > 0.0 ? -1 : 1, 0) : ivec2(0, plane.y > 0.0 ? -1 : 1);
     ivec2 q = p + next;
     if (min(q.x, q.y) < 0 || max(q.x, q.y) >= size) return 1.0;
-    BesideTexel beside = besideTexel(texelFetch(atlasMap, corner + q, 0), toCentre + vec2(next), plane, size);
+    TexelSurface beside = texelSurface(texelFetch(atlasMap, corner + q, 0), toCentre + vec2(next), plane, size);
     return coversPoint(beside, height) ? 0.0 : 1.0;
 }
 

@@ -101,6 +101,15 @@ float emitterTexelPasses(vec4 texel, EmitterMap m, vec2 centre, vec3 place, floa
     return middle + clamp(fall, -2.0 * width, 2.0 * width) > 1.0 + 0.1 * width + least ? 0.0 : 1.0;
 }
 
+// The same for texel t of the map, or the nearest one within it. n: of the surface at p.
+float emitterTexelAtPasses(sampler2D maps, EmitterMap m, vec3 p, vec3 n, vec3 place, ivec2 t)
+{
+    ivec2 at = clamp(t, ivec2(0), ivec2(m.size - 1));
+    vec2 centre = vec2(at) + 0.5;
+    float rise = emitterMapRise(m, p, n, centre - vec2(place.x, place.y));
+    return emitterTexelPasses(texelFetch(maps, m.corner + at, 0), m, centre, place, rise);
+}
+
 // The share of a light without size that reaches the surface of normal n at p, which the map shows at place. It is a weighted mean over 3 x 3
 // texels, so a shadow's edge is three texels wide.
 float emitterMapShare(sampler2D maps, EmitterMap m, vec3 p, vec3 n, vec3 place)
@@ -111,15 +120,13 @@ float emitterMapShare(sampler2D maps, EmitterMap m, vec3 p, vec3 n, vec3 place)
     float sum = 0.0;
     for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x) {
-            ivec2 at = clamp(middle + ivec2(x, y), ivec2(0), ivec2(m.size - 1));
-            vec2 centre = vec2(at) + 0.5;
-            float passes = emitterTexelPasses(texelFetch(maps, m.corner + at, 0), m, centre, place, emitterMapRise(m, p, n, centre - xy));
+            float passes = emitterTexelAtPasses(maps, m, p, n, place, middle + ivec2(x, y));
             sum += splineWeight(x, d.x) * splineWeight(y, d.y) * passes;
         }
     return sum;
 }
 
-// The same over 2 x 2 texels, linearly between their centres: for one of the many points of a light, whose shadows' edges overlap.
+// The same, interpolated linearly between the centres of 2 x 2 texels: for a light of many points, whose shadows' edges overlap.
 float emitterMapLinearShare(sampler2D maps, EmitterMap m, vec3 p, vec3 n, vec3 place)
 {
     vec2 xy = vec2(place.x, place.y);
@@ -128,9 +135,7 @@ float emitterMapLinearShare(sampler2D maps, EmitterMap m, vec3 p, vec3 n, vec3 p
     float sum = 0.0;
     for (int y = 0; y <= 1; ++y)
         for (int x = 0; x <= 1; ++x) {
-            ivec2 at = clamp(ivec2(first) + ivec2(x, y), ivec2(0), ivec2(m.size - 1));
-            vec2 centre = vec2(at) + 0.5;
-            float passes = emitterTexelPasses(texelFetch(maps, m.corner + at, 0), m, centre, place, emitterMapRise(m, p, n, centre - xy));
+            float passes = emitterTexelAtPasses(maps, m, p, n, place, ivec2(first) + ivec2(x, y));
             sum += (x == 0 ? 1.0 - part.x : part.x) * (y == 0 ? 1.0 - part.y : part.y) * passes;
         }
     return sum;

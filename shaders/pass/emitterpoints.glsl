@@ -53,9 +53,10 @@ float emitterKernel(EmitterPoint e, vec3 to, vec3 n)
     return max(dot(n, to), 0.0) * max(-dot(e.normal, to), 0.0) / (square * (PI * square + e.area));
 }
 
-// 1 if the surface at p with unit normal n sees the point, else 0; over a texel at a shadow's edge, what is between. The point's map is a
-// pyramid and does not reach directions that graze the light. There a flat light counts as seen: none of its points reaches them. A
-// round light gives -1, unknown: other points of it face there and replace this one. Without that, a lamp shines through its shade.
+// The share of the point that the surface at p with unit normal n sees: 1 or 0, and between them over a texel at a shadow's edge. The
+// point's map is a pyramid and does not reach directions that graze the light. There a flat light counts as seen: none of its points
+// reaches them. A round light gives -1, unknown: other points of it face there and replace this one. Without that, a lamp shines
+// through its shade.
 float emitterSees(EmitterPoint e, vec3 p, vec3 n)
 {
     if (e.map.tangent <= 0.0) return 1.0;

@@ -58,8 +58,8 @@ SunMap sunMapAt(int sun, SunPixel s, out vec4 own)
     return m;
 }
 
-// A point of the disc that the surface of normal n faces, from one that it may not face: of those opposite. across, up: of n.
-// What a pixel does not face is not seen by it, hidden or not: taken for seen, it would light walls in the shade where the sun grazes.
+// A point of the disc that the surface of normal n faces: the given one, else the one opposite, else the one that it faces most. A point
+// that it does not face says nothing about shadows; counted as seen, it would light shaded walls that the sun grazes.
 vec2 facedPoint(vec3 n, float spread, vec2 point)
 {
     float rise = dot(n.xy, point);

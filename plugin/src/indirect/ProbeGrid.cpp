@@ -306,8 +306,8 @@ std::vector<ProbeGrid::Seen> ProbeGrid::look(const TracedScene& scene, const Cas
     return seen;
 }
 
-// By how far it sees, in cells, on the farther side of each direction: about .5 in the middle of a gap of a third of a cell, over
-// .9 beside a wall and in a corner.
+// Follows from the mean distance that the probe sees, in cells. Of two opposite directions the farther one counts: in a gap both
+// are near, beside a wall or in a corner one is far.
 float ProbeGrid::weightOf(const std::vector<Seen>& seen, float cell) const
 {
     static const std::vector<size_t> opposites = makeOpposites();
