@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/ReadMessage.h"
+#include <osgEnvLight/ModelCameras>
 #include <osgEnvLight/SceneDescription>
 
 #include <osgDB/FileNameUtils>
@@ -81,6 +82,7 @@ class ReaderWriterEnvLight : public osgDB::ReaderWriter
         lit->getEnvironmentMap()->setStrict(wantsStrict(options));
         if (!map.empty() && !lit->getEnvironmentMap()->load(map, options, error)) return nullptr;
         lit->addChild(read.getNode());
+        if (const auto home = osgEnvLight::firstModelCamera(*lit)) lit->setHomeView(*home);
         return lit;
     }
 };

@@ -126,6 +126,21 @@ void listImages(Asset& asset, const json& document)
     }
 }
 
+void listCameras(Asset& asset, const json& document)
+{
+    const auto list = document.find("cameras");
+    if (list == document.end()) return;
+    for (const json& camera : *list) {
+        double yfov = 0.0;
+        if (camera["type"] == "perspective") {
+            const std::string path = element("cameras", asset.cameras.size());
+            if (!camera.contains("perspective")) asset.fail(path + ".perspective", "an object", "nothing");
+            yfov = camera["perspective"]["yfov"].get<double>();
+        }
+        asset.cameras.push_back({camera.value("name", std::string()), yfov});
+    }
+}
+
 }  // namespace
 
 void Asset::fail(const std::string& path, const std::string& expected, const std::string& found) const
@@ -187,6 +202,7 @@ Asset readAsset(std::istream& in, const std::string& name, const osgDB::Options*
     asset.model = parseStructure(document, name);
     readBuffers(asset, document, container);
     listImages(asset, document);
+    listCameras(asset, document);
     return asset;
 }
 

@@ -20,9 +20,14 @@ using Bytes = std::vector<unsigned char>;
  * texture asks for them. */
 struct Asset {
     std::string name;        // of the file, for messages
-    tinygltf::Model model;   // without images
+    tinygltf::Model model;   // without images and cameras
     std::vector<int> views;  // of each image: its buffer view, -1 where it has a URI
     std::vector<std::string> uris;
+    struct Camera {
+        std::string name;
+        double yfov = 0.0;  // radians; 0: orthographic
+    };
+    std::vector<Camera> cameras;
     osg::ref_ptr<const osgDB::Options> files;  // where URIs are looked for
 
     /** Throws std::runtime_error: one line that names the file and the property. */

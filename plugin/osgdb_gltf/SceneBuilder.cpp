@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "SceneBuilder.h"
 
+#include "Cameras.h"
 #include "Extensions.h"
 #include "Lights.h"
 
@@ -136,6 +137,7 @@ osg::ref_ptr<osg::Group> SceneBuilder::makeNode(int index, bool mirrored)
         for (const int child : node.children)
             if (_bones[std::size_t(child)] == bones) group->addChild(makeNode(child, mirrored));
     if (node.mesh >= 0) addMesh(*group, index);
+    if (node.camera >= 0) addCamera(*group, node);
     addLight(*group, node);
     return group;
 }
@@ -207,6 +209,15 @@ void SceneBuilder::addInstances(osg::Group& group, osg::Geode* geode, const tiny
         transform->addChild(geode);
         group.addChild(transform);
     }
+}
+
+void SceneBuilder::addCamera(osg::Group& group, const tinygltf::Node& node)
+{
+    const Asset::Camera& camera = _asset.cameras[std::size_t(node.camera)];
+    if (camera.yfov > 0.0)
+        group.addChild(makeCamera(camera, node));
+    else
+        OSG_INFO << _asset.name << ": the orthographic camera '" << camera.name << "' is not read" << std::endl;
 }
 
 void SceneBuilder::addLight(osg::Group& group, const tinygltf::Node& node)

@@ -26,6 +26,7 @@ class SceneBuilder
     void addMesh(osg::Group& group, int index);
     osg::ref_ptr<osg::Geode> movingGeode(int index);
     void addInstances(osg::Group& group, osg::Geode* geode, const tinygltf::Value& instancing, const std::string& path);
+    void addCamera(osg::Group& group, const tinygltf::Node& node);
     void addLight(osg::Group& group, const tinygltf::Node& node);
     void finish(osg::Group& root);
 

@@ -92,6 +92,9 @@ const Rule rules[] = {
     {"nodes[].extensions.KHR_lights_punctual.light", INDEX, REQUIRED, 0, 0, "extensions.KHR_lights_punctual.lights"},
     {"nodes[].extensions.EXT_mesh_gpu_instancing.attributes.*", INDEX, OPTIONAL, 0, 0, "accessors"},
 
+    {"cameras[].name", TEXT},
+    {"cameras[].type", CHOICE, REQUIRED, 0, 0, "perspective orthographic"},
+    {"cameras[].perspective.yfov", NUMBER, REQUIRED, 1e-3, 3.1},
     {"skins[].joints", LIST, REQUIRED, 1},
     {"skins[].joints[]", INDEX, OPTIONAL, 0, 0, "nodes"},
     {"skins[].inverseBindMatrices", INDEX, OPTIONAL, 0, 0, "accessors"},

@@ -24,7 +24,7 @@ std::vector<osgEnvLight::HomeView> Views::of(osgEnvLight::LitScene& lit, const S
     std::vector<osgEnvLight::HomeView> views;
     if (!camerasFile.empty()) {
         if (turntable > 0) throw BadArguments("--cameras and --turntable exclude each other");
-        if (!scene.cameraFile.empty() || !scene.eye.empty()) throw BadArguments("--cameras excludes --camera and --eye");
+        if (!scene.camera.empty() || !scene.eye.empty()) throw BadArguments("--cameras excludes --camera and --eye");
         std::string error = camerasFile + ": can't be read";
         osgDB::ifstream in(camerasFile.c_str(), std::ios::binary);
         if (!in || !osgEnvLight::readCameras(in, camerasFile, views, error)) throw std::runtime_error(error);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "SceneOptions.h"
 
+#include <osgEnvLight/ModelCameras>
 #include <osgEnvLight/SceneDescription>
 
 #include <osgDB/FileNameUtils>
@@ -43,7 +44,7 @@ void SceneOptions::addTo(CommandLine& line)
     line.add("--env", map, "environment map: a file, sky or studio");
     line.add("--env-layout", layout, "layout of the map where its shape does not say it: " + osgEnvLight::mapLayoutChoices());
     line.add("--env-rotation", rotation, "degrees, counter-clockwise about +Z");
-    line.add("--camera", cameraFile, "camera from a JSON file");
+    line.add("--camera", camera, "a camera of the model by its name, or one from a JSON file");
     line.add("--eye", eye, "x,y,z").separatedBy(',').ofValues(3);
     line.add("--target", target, "x,y,z").separatedBy(',').ofValues(3);
     line.add("--up", up, "x,y,z").separatedBy(',').ofValues(3);
@@ -99,15 +100,24 @@ void SceneOptions::applySettings(osgEnvLight::Settings& changed) const
     }
 }
 
-std::optional<osgEnvLight::HomeView> SceneOptions::chosenView(const osgEnvLight::LitScene& lit) const
+osgEnvLight::HomeView SceneOptions::namedView(osgEnvLight::LitScene& lit) const
+{
+    osgEnvLight::HomeView view;
+    std::string error;
+    osgDB::ifstream in(camera.c_str(), std::ios::binary);
+    if (!in) try {
+            return osgEnvLight::modelCamera(lit, camera);
+        } catch (const std::exception& e) {
+            throw std::runtime_error("--camera is " + std::string(e.what()) + ", or a JSON file");
+        }
+    if (!osgEnvLight::readCamera(in, camera, view, error)) throw std::runtime_error(error);
+    return view;
+}
+
+std::optional<osgEnvLight::HomeView> SceneOptions::chosenView(osgEnvLight::LitScene& lit) const
 {
     std::optional<osgEnvLight::HomeView> view = lit.getHomeView();
-    if (!cameraFile.empty()) {
-        view.emplace();
-        std::string error = cameraFile + ": can't be read";
-        osgDB::ifstream in(cameraFile.c_str(), std::ios::binary);
-        if (!in || !osgEnvLight::readCamera(in, cameraFile, *view, error)) throw std::runtime_error(error);
-    }
+    if (!camera.empty()) view = namedView(lit);
     if (eye.empty() != target.empty()) throw BadArguments("--eye and --target go together");
     if (!eye.empty()) {
         view.emplace();

@@ -18,7 +18,7 @@ struct SceneOptions {
     std::string map;
     std::string layout;
     std::optional<double> rotation;
-    std::string cameraFile;
+    std::string camera;
     std::vector<double> eye;
     std::vector<double> target;
     std::vector<double> up;
@@ -49,5 +49,8 @@ struct SceneOptions {
     void setCamera(osgEnvLight::LitScene& lit, osg::Camera& camera) const { setCamera(view(lit), camera); }
 
     /** The camera of the command line, else the scene's, else none. */
-    std::optional<osgEnvLight::HomeView> chosenView(const osgEnvLight::LitScene& lit) const;
+    std::optional<osgEnvLight::HomeView> chosenView(osgEnvLight::LitScene& lit) const;
+
+  private:
+    osgEnvLight::HomeView namedView(osgEnvLight::LitScene& lit) const;
 };

@@ -187,6 +187,7 @@ void EnvlightViewer::open(const std::string& file)
     }
     if (loaded.kind != Loaded::MAP) {
         setTitle();
+        _nextCamera = 0;
         _view.goTo(loaded.homeView);
     }
     _view.requestRedraw();

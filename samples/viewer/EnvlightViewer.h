@@ -47,6 +47,7 @@ class EnvlightViewer
     void perform(Action action, double value);
     void changeSetting(Action action, double value);
     void performPending();
+    void goToNextCamera();
     void turnMap(double degrees);
     void savePicture();
     void beginRadiance();
@@ -66,6 +67,7 @@ class EnvlightViewer
     SceneView _view;
     SettingsHistory _history;
 
+    size_t _nextCamera = 0;
     Drag _drag = Drag::NONE;
     double _dragX = 0.0;
     bool _keysShown = false;

@@ -2,6 +2,7 @@
 #include "FileLoader.h"
 
 #include "base/ReadMessage.h"
+#include <osgEnvLight/ModelCameras>
 
 #include <osgDB/FileUtils>
 #include <osgDB/Registry>
@@ -63,6 +64,7 @@ LoadedFile loadFile(const std::string& name, LitScene& lit)
         const osg::ref_ptr<osg::Group> model = new osg::Group;
         model->addChild(result.getNode());
         replaceChildren(lit, *model);
+        loaded.homeView = osgEnvLight::firstModelCamera(lit);
         loaded.kind = Loaded::MODEL;
     } else if (loadMap(name, lit, loaded.error)) {
         loaded.kind = Loaded::MAP;

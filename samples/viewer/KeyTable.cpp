@@ -15,7 +15,8 @@ using Symbol = osgGA::GUIEventAdapter;
 
 KeyBinding row(int key, const std::string& label, const std::string& purpose, Action action, double value = 0.0)
 {
-    const bool repeats = action == Action::EXPOSURE || action == Action::TURN_MAP || action == Action::NEXT_VIEW;
+    const bool repeats =
+        action == Action::EXPOSURE || action == Action::TURN_MAP || action == Action::NEXT_VIEW || action == Action::NEXT_CAMERA;
     return {key, false, repeats, label, purpose, action, value};
 }
 
@@ -51,6 +52,7 @@ std::vector<KeyBinding> makeTable()
         row('h', "h", "this list", Action::SHOW_KEYS),
         row(Symbol::KEY_Tab, "Tab", "panel of settings and times", Action::SHOW_PANEL),
         row(' ', "Space", "home position", Action::GO_HOME),
+        row('n', "n", "next camera of the model", Action::NEXT_CAMERA),
         row('f', "f", "full screen", Action::FULL_SCREEN),
         row(Symbol::KEY_Escape, "Esc", "quit", Action::QUIT),
         row('a', "a", "let a still view converge", Action::CONVERGE),

@@ -11,6 +11,7 @@ enum class Action {
     SHOW_KEYS,
     SHOW_PANEL,
     GO_HOME,
+    NEXT_CAMERA,  // of the model
     FULL_SCREEN,
     QUIT,
     VIEW,  // of the row's value: Settings::View

@@ -22,7 +22,9 @@ SceneView::SceneView(osgEnvLight::LitScene& lit, SceneOptions options, int width
     osg::Camera& camera = *_viewer.getCamera();
     options.width = width;
     options.height = height;
-    options.setCamera(lit, camera);
+    const osgEnvLight::HomeView first = options.view(lit);
+    options.setCamera(first, camera);
+    _homeFovy = first.fovy;
     // Several events of the pointer come with one time where frames are slow, and OSG would take any release for a throw.
     _manipulator->setAllowThrow(false);
     _viewer.setCameraManipulator(_manipulator);
@@ -100,18 +102,31 @@ void SceneView::handle(const InputEvent& event)
 
 void SceneView::goHome()
 {
+    setOpeningAngle(_homeFovy);
     _viewer.home();
     requestRedraw();
 }
 
+void SceneView::look(const osgEnvLight::HomeView& view)
+{
+    setOpeningAngle(view.fovy);
+    _manipulator->setTransformation(view.eye, view.target, view.up);
+    requestRedraw();
+}
+
+void SceneView::setOpeningAngle(double fovy)
+{
+    double former, aspect, near, far;
+    osg::Camera& camera = *_viewer.getCamera();
+    if (camera.getProjectionMatrixAsPerspective(former, aspect, near, far))
+        camera.setProjectionMatrixAsPerspective(fovy, aspect, near, far);
+}
+
 void SceneView::goTo(const std::optional<osgEnvLight::HomeView>& home)
 {
-    osg::Camera& camera = *_viewer.getCamera();
-    double fovy, aspect, near, far;
     if (home) {
         _manipulator->setHomePosition(home->eye, home->target, home->up);
-        if (camera.getProjectionMatrixAsPerspective(fovy, aspect, near, far))
-            camera.setProjectionMatrixAsPerspective(home->fovy, aspect, near, far);
+        _homeFovy = home->fovy;
     }
     _manipulator->setAutoComputeHomePosition(!home);
     _manipulator->setNode(&_lit);

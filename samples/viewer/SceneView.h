@@ -27,6 +27,8 @@ class SceneView
     void handle(const InputEvent& event);
     /** To the home position. */
     void goHome();
+    /** From there; the home position stays. */
+    void look(const osgEnvLight::HomeView& view);
     /** To the scene as it is now, which has this home position, or OSG's. */
     void goTo(const std::optional<osgEnvLight::HomeView>& home);
     osgEnvLight::HomeView camera() const;
@@ -46,6 +48,7 @@ class SceneView
     osg::ref_ptr<osg::Image> keptImage() { return read(*_kept); }
 
   private:
+    void setOpeningAngle(double fovy);
     void makeTargets(int width, int height);
     void copy(osg::FrameBufferObject& from, osg::FrameBufferObject* to);
     osg::ref_ptr<osg::Image> read(osg::Texture2D& texture);
@@ -54,6 +57,7 @@ class SceneView
     osgViewer::Viewer _viewer;
     osg::ref_ptr<osgViewer::GraphicsWindowEmbedded> _window;
     osg::ref_ptr<osgGA::TrackballManipulator> _manipulator;
+    double _homeFovy = 0.0;
     osg::ref_ptr<osg::Texture2D> _drawn;
     osg::ref_ptr<osg::Texture2D> _kept;
     osg::ref_ptr<osg::FrameBufferObject> _drawnFrame;

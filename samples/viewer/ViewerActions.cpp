@@ -7,6 +7,7 @@
 #include "TextureImage.h"
 
 #include <metrics/Display>
+#include <osgEnvLight/ModelCameras>
 
 #include <cmath>
 #include <iostream>
@@ -26,6 +27,10 @@ void EnvlightViewer::perform(Action action, double value)
         case Action::GO_HOME:
             endRadiance(false);
             _view.goHome();
+            break;
+        case Action::NEXT_CAMERA:
+            endRadiance(false);
+            goToNextCamera();
             break;
         case Action::FULL_SCREEN:
             _window.toggleFullScreen();
@@ -105,6 +110,18 @@ void EnvlightViewer::performPending()
         if (action == Action::SAVE_RADIANCE && !_radiance) beginRadiance();
         if (action == Action::COPY_COMMAND) copyCommand();
     }
+}
+
+void EnvlightViewer::goToNextCamera()
+{
+    const std::vector<osgEnvLight::ModelCamera> cameras = osgEnvLight::findModelCameras(*_lit);
+    if (cameras.empty()) {
+        say("the model has no cameras");
+        return;
+    }
+    const osgEnvLight::ModelCamera& camera = cameras[_nextCamera++ % cameras.size()];
+    _view.look(camera.view);
+    say("camera: " + camera.name);
 }
 
 void EnvlightViewer::turnMap(double degrees)

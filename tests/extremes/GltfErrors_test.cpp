@@ -72,6 +72,22 @@ TEST(GltfErrors, Containers)
     for (std::size_t size = 0; size < binary.size(); ++size) EXPECT_NE(messageOf(binary.substr(0, size)), "") << size;
 }
 
+TEST(GltfErrors, Cameras)
+{
+    const auto expectCamera = [](const json& camera, const std::string& message) {
+        expectFault([&](json& d) { d["cameras"] = {camera}; }, message);
+    };
+    expectCamera({{"name", "c"}}, "cameras[0].type': expected one of perspective, orthographic, found nothing");
+    expectCamera({{"type", "fisheye"}}, "cameras[0].type': expected one of perspective, orthographic, found \"fisheye\"");
+    expectCamera({{"type", "perspective"}}, "cameras[0].perspective': expected an object, found nothing");
+    expectCamera({{"type", "perspective"}, {"perspective", {{"znear", 1}}}},
+                 "cameras[0].perspective.yfov': expected a number from 0.001 to 3.1, found nothing");
+    expectCamera({{"type", "perspective"}, {"perspective", {{"yfov", 0}}}},
+                 "cameras[0].perspective.yfov': expected a number from 0.001 to 3.1, found 0");
+    expectFault([](json& d) { d["nodes"][0]["camera"] = 0; },
+                "nodes[0].camera': expected an index below 0, the number of cameras, found 0");
+}
+
 TEST(GltfErrors, TypesRangesAndIndices)
 {
     expectFault([](json& d) { d.erase("asset"); }, "asset': expected an object, found nothing");

@@ -2,6 +2,8 @@
 // The glTF reader: scenes, nodes, lights, skins and animations.
 #include "GltfFiles.h"
 
+#include <osgEnvLight/ModelCameras>
+
 #include <osg/FrontFace>
 #include <osg/LightSource>
 #include <osgAnimation/BasicAnimationManager>
@@ -143,6 +145,28 @@ TEST(GltfScenes, Lights)
         EXPECT_EQ(lights[std::size_t(i)]->getLight()->getLightNum(), i + 1);
         EXPECT_EQ(root->getStateSet()->getMode(GLenum(GL_LIGHT0 + i + 1)), osg::StateAttribute::ON);
     }
+}
+
+TEST(GltfScenes, Cameras)
+{
+    File file;
+    file.show(file.triangle());
+    file.document["cameras"] = {{{"type", "perspective"}, {"name", "lens"}, {"perspective", {{"yfov", osg::PI / 3}}}},
+                                {{"type", "orthographic"}, {"name", "plan"}},
+                                {{"type", "perspective"}, {"perspective", {{"yfov", osg::PI / 6}, {"aspectRatio", 2}}}}};
+    for (int i = 0; i < 3; ++i) file.add("nodes", {{"name", "stand"}, {"camera", i}, {"translation", {0, i, 5}}});
+    const osg::ref_ptr<osg::Node> root = readNode(file, "");
+    const std::vector<osgEnvLight::ModelCamera> cameras = osgEnvLight::findModelCameras(*root);
+    ASSERT_EQ(cameras.size(), 2u) << "the orthographic one is left out";
+    EXPECT_EQ(cameras[0].name, "lens");
+    EXPECT_NEAR(cameras[0].view.fovy, 60.0, 1e-9);
+    expectNear(cameras[0].view.eye, osg::Vec3d(0, -5, 0));
+    expectNear(cameras[0].view.up, osg::Vec3d(0, 0, 1));
+    // Before the middle of the triangle from (0, 0, 0) to (1, 0, 1), in its plane.
+    expectNear(cameras[0].view.target, osg::Vec3d(0, 0, 0));
+    EXPECT_EQ(cameras[1].name, "stand");
+    expectNear(cameras[1].view.eye, osg::Vec3d(0, -5, 2));
+    EXPECT_NEAR(cameras[1].view.fovy, 30.0, 1e-9);
 }
 
 TEST(GltfScenes, TheFirstAnimationPlaysInALoop)

@@ -168,7 +168,8 @@ void writeGltfs(const fs::path& folder)
  "meshes": [{"weights": [0.5], "primitives": [{"attributes": {"POSITION": 0, "NORMAL": 0, "COLOR_0": 2}, "indices": 1, "material": 0,
   "targets": [{"POSITION": 0}]}]}],
  "extensions": {"KHR_lights_punctual": {"lights": [{"type": "spot", "intensity": 3, "spot": {"outerConeAngle": 0.5}}]}},
- "nodes": [{"mesh": 0, "extensions": {"KHR_lights_punctual": {"light": 0}}}]})";
+ "cameras": [{"type": "perspective", "perspective": {"yfov": 0.7}}],
+"nodes": [{"mesh": 0, "camera": 0, "extensions": {"KHR_lights_punctual": {"light": 0}}}]})";
     std::ofstream(folder / "motion.gltf")
         << R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 60, "uri": "data:;base64,)" << bytes << R"("}],
  "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24}],

@@ -6,6 +6,7 @@
 
 #include <osgEnvLight/Settings>
 
+#include <osg/CameraView>
 #include <osg/ShapeDrawable>
 #include <osgDB/ReadFile>
 #include <osgDB/WriteFile>
@@ -220,6 +221,37 @@ TEST_F(Viewer, APulledPointerOrbitsAndWithShiftTurnsTheMap)
     EXPECT_NE(option(start, "eye"), option(viewer->command(), "eye")) << "the wheel";
     viewer->key(keyOf(Action::TURN_MAP, 15));
     EXPECT_EQ("15", option(viewer->command(), "env-rotation"));
+}
+
+TEST_F(Viewer, StepsThroughTheCamerasOfTheModel)
+{
+    osg::ref_ptr<osg::Group> root = new osg::Group;
+    root->addChild(new osg::ShapeDrawable(new osg::Box));
+    for (const double height : {5.0, 8.0}) {
+        osg::ref_ptr<osg::CameraView> camera = new osg::CameraView;
+        camera->setPosition(osg::Vec3d(0, 0, height));
+        camera->setFieldOfView(5.0 * height);
+        root->addChild(camera);
+    }
+    const std::string file = _folder.file("cameras.osgt");
+    ASSERT_TRUE(osgDB::writeNodeFile(*root, file));
+    const auto viewer = open({file});
+    const auto expectCamera = [&](double height, const char* when) {
+        const std::string command = viewer->command();
+        double x = 1.0, y = 1.0, z = 1.0;
+        ASSERT_EQ(3, std::sscanf(option(command, "eye").c_str(), "%lf,%lf,%lf", &x, &y, &z)) << command;
+        EXPECT_NEAR(0.0, std::hypot(x, y), 1e-4) << when;
+        EXPECT_NEAR(height, z, 1e-4) << when;
+        EXPECT_NEAR(5.0 * height, std::atof(option(command, "fovy").c_str()), 1e-3) << when;
+    };
+    expectCamera(5.0, "the first one is home");
+    viewer->key(keyOf(Action::NEXT_CAMERA));
+    viewer->key(keyOf(Action::NEXT_CAMERA));
+    expectCamera(8.0, "the second one");
+    viewer->key("space");
+    expectCamera(5.0, "home again");
+    viewer->key(keyOf(Action::NEXT_CAMERA));
+    expectCamera(5.0, "around to the first one");
 }
 
 TEST_F(Viewer, ASliderOfThePanelIsOneStepToUndo)

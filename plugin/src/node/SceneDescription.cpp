@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <osgEnvLight/ModelCameras>
 #include <osgEnvLight/SceneDescription>
 
 #include "base/ReadMessage.h"
@@ -50,6 +51,27 @@ void readEnvironment(const Value& v, SceneDescription& scene)
     if (v.has("intensity")) scene.intensity = v["intensity"].number(0, 1e12, "a factor in 0..1e12");
     if (v.has("strict")) scene.strict = v["strict"].boolean();
     if (v.has("lights")) scene.lights = v["lights"].string();
+}
+
+void readSceneCamera(const Value& v, SceneDescription& scene)
+{
+    if (v.get().is_string())
+        scene.cameraName = v.string();
+    else
+        scene.camera = readView(v);
+}
+
+/** Where a scene is seen from at first: as described, else by the model's first camera, if it has one. */
+void setHome(LitScene& lit, const SceneDescription& scene)
+try {
+    if (scene.camera)
+        lit.setHomeView(*scene.camera);
+    else if (!scene.cameraName.empty())
+        lit.setHomeView(modelCamera(lit, scene.cameraName));
+    else if (const auto first = firstModelCamera(lit))
+        lit.setHomeView(*first);
+} catch (const std::exception& e) {
+    throw std::runtime_error(scene.fileName + ": key 'camera': " + e.what());
 }
 
 std::string settingText(const Value& v)
@@ -124,7 +146,7 @@ try {
     v.object({"model", "models", "environment", "camera", "materials", "settings", "lights"}, "an object");
     readModels(v, scene);
     if (v.has("environment")) readEnvironment(v["environment"], scene);
-    if (v.has("camera")) scene.camera = readView(v["camera"]);
+    if (v.has("camera")) readSceneCamera(v["camera"], scene);
     if (v.has("materials")) {
         const Value table = v["materials"];
         if (!table.get().is_object()) table.fail("an object of materials by name");
@@ -182,7 +204,7 @@ try {
         throw std::runtime_error(fileName + ": key 'environment.lights': " + error);
     for (const auto& [name, value] : settings)
         if (!lit->getSettings()->set(name, value, error)) throw std::runtime_error(fileName + ": " + error);
-    if (camera) lit->setHomeView(*camera);
+    setHome(*lit, *this);
     return lit;
 } catch (const std::exception& e) {
     error = e.what();
