@@ -90,6 +90,7 @@ struct TexelSurface {
     float height;     // of the surface at the centre
     float overPoint;  // height of its plane where the point is
     float slack;      // of both planes, whose normals are not exact
+    float step;       // that the surface must be above the point's own plane: a rim lower than this stands beside the point
 };
 
 // toCentre: from the point to the texel's centre. plane: gradient of the point's own plane.
@@ -102,13 +103,14 @@ TexelSurface texelSurface(vec4 texel, vec2 toCentre, vec2 plane, int size)
     s.height = texel.x + leastDrop(s.slope, 1.0 / float(size));
     s.overPoint = s.height - dot(gradient, toCentre);
     s.slack = 0.01 * (1.0 / float(size) + s.slope) + ATLAS_STEP;
+    s.step = 0.05 * (1.0 / float(size) + max(abs(plane.x), abs(plane.y)));
     return s;
 }
 
-// Whether the surface covers the point at height: its plane is above the point, and it is itself above the point's own plane.
+// Whether the surface covers the point at height: its plane is above the point, and it is itself a step above the point's own plane.
 bool coversPoint(TexelSurface s, float height)
 {
-    return s.overPoint > height + s.slack && s.height > height + s.rise + s.slack;
+    return s.overPoint > height + s.slack && s.height > height + s.rise + s.slack + s.step;
 }
 
 // 1 if the point at texel position xy and height sees the light of the map that starts at corner, else 0. plane: gradient of the point's

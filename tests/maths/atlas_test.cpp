@@ -182,4 +182,17 @@ TEST(atlas, ABodyDoesntShadeItsSidesBesideAnEdge)
     for (double x : {0.05, 0.5, 0.95, 1.4}) EXPECT_EQ(1.0, map.sees(x, first - map.slope * (x - 0.5), own)) << x;
 }
 
+// A board with a rim: the rim's outer side is before the board, but the light comes in over it.
+TEST(atlas, ALowRimDoesntShadeWhatLiesWithinIt)
+{
+    AtlasPair map;
+    const glsl::vec2 board(-0.5 * map.slope, 0.0);
+    const double height = 0.5, x = 0.55;
+    const double step = map.slack + 0.05 * (1.0 / map.size + 0.5 * map.slope), atCentre = height + 0.05 * 0.5 * map.slope;
+    map.put(0, atCentre + 0.99 * step);
+    EXPECT_EQ(1.0, map.sees(x, height, board));
+    map.put(0, atCentre + 1.5 * step);
+    EXPECT_EQ(0.0, map.sees(x, height, board));
+}
+
 }  // namespace atlas_test
