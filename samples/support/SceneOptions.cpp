@@ -44,6 +44,7 @@ void SceneOptions::addTo(CommandLine& line)
     line.add("--env", map, "environment map: a file, sky or studio");
     line.add("--env-layout", layout, "layout of the map where its shape does not say it: " + osgEnvLight::mapLayoutChoices());
     line.add("--env-rotation", rotation, "degrees, counter-clockwise about +Z");
+    line.add("--env-intensity", intensity, "a factor for the map's radiance").within(0.0, 1e12);
     line.add("--camera", camera, "a camera of the model by its name, or one from a JSON file");
     line.add("--eye", eye, "x,y,z").separatedBy(',').ofValues(3);
     line.add("--target", target, "x,y,z").separatedBy(',').ofValues(3);
@@ -82,6 +83,7 @@ osg::ref_ptr<osgEnvLight::LitScene> SceneOptions::load(bool linear) const
     environment.setLayout(mapLayout);
     if (!map.empty() && !environment.load(map, nullptr, error)) throw std::runtime_error(error);
     if (rotation) environment.setRotation(*rotation);
+    if (intensity) environment.setIntensity(*intensity);
     lit->getSettings()->output = linear ? osgEnvLight::Settings::LINEAR : osgEnvLight::Settings::DISPLAY;
     // One frame is all that the others show.
     if (!interactive) lit->getSettings()->regeneration = osgEnvLight::Settings::IMMEDIATE;

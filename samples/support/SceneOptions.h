@@ -18,6 +18,7 @@ struct SceneOptions {
     std::string map;
     std::string layout;
     std::optional<double> rotation;
+    std::optional<double> intensity;
     std::string camera;
     std::vector<double> eye;
     std::vector<double> target;

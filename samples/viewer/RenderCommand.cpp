@@ -47,7 +47,7 @@ std::string renderCommand(const osgEnvLight::LitScene& lit, const SceneOrigin& o
         const MapLayout layout = map.getLayout();
         if (layout != MapLayout::AUTO) command += " --env-layout " + osgEnvLight::mapLayoutNames()[size_t(layout)];
     }
-    command += " --env-rotation=" + text(map.getRotation());
+    command += " --env-rotation=" + text(map.getRotation()) + " --env-intensity=" + text(map.getIntensity());
     command += " --eye=" + text(view.eye) + " --target=" + text(view.target) + " --up=" + text(view.up);
     command += " --fovy " + text(view.fovy) + " --size " + std::to_string(width) + "x" + std::to_string(height);
     for (const Settings::Property& p : Settings::table()) {

@@ -20,19 +20,21 @@ void SettingsHistory::restart()
 SettingsHistory::State SettingsHistory::now() const
 {
     osgEnvLight::EnvironmentMap* map = _lit.getEnvironmentMap();
-    return {new Settings(*_lit.getSettings()), map, map->getRotation()};
+    return {new Settings(*_lit.getSettings()), map, map->getRotation(), map->getIntensity()};
 }
 
 bool SettingsHistory::same(const State& a, const State& b)
 {
     const auto equal = [&](const Settings::Property& p) { return p.get(*a.settings) == p.get(*b.settings); };
-    return a.map == b.map && a.rotation == b.rotation && std::all_of(Settings::table().begin(), Settings::table().end(), equal);
+    return a.map == b.map && a.rotation == b.rotation && a.intensity == b.intensity &&
+           std::all_of(Settings::table().begin(), Settings::table().end(), equal);
 }
 
 void SettingsHistory::restore(const State& state)
 {
     for (const Settings::Property& p : Settings::table()) p.put(*_lit.getSettings(), p.get(*state.settings));
     state.map->setRotation(state.rotation);
+    state.map->setIntensity(state.intensity);
     _lit.setEnvironmentMap(state.map.get());
 }
 

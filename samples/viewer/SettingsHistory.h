@@ -26,6 +26,7 @@ class SettingsHistory
         osg::ref_ptr<osgEnvLight::Settings> settings;
         osg::ref_ptr<osgEnvLight::EnvironmentMap> map;
         double rotation;
+        double intensity;
     };
 
     State now() const;

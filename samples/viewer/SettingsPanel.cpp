@@ -67,12 +67,16 @@ bool editInteger(const Property& p, Settings& settings)
     return true;
 }
 
+bool dragValue(const char* name, float& value, float minimum, float maximum)
+{
+    const float speed = std::max(0.01f * std::abs(value), 0.005f);
+    return ImGui::DragFloat(name, &value, speed, minimum, maximum, "%.3g", ImGuiSliderFlags_AlwaysClamp);
+}
+
 bool editReal(const Property& p, Settings& settings)
 {
     float value = float(p.get(settings));
-    const float speed = std::max(0.01f * std::abs(value), 0.005f);
-    if (!ImGui::DragFloat(p.name, &value, speed, float(p.minimum), float(p.maximum), "%.3g", ImGuiSliderFlags_AlwaysClamp))
-        return false;
+    if (!dragValue(p.name, value, float(p.minimum), float(p.maximum))) return false;
     p.put(settings, double(value));
     return true;
 }
@@ -125,11 +129,13 @@ bool showPresets(Settings& settings)
 
 bool showMap(EnvironmentMap& map)
 {
-    float degrees = float(map.getRotation());
-    if (!ImGui::SliderFloat("map rotation", &degrees, -180.0f, 180.0f, "%.0f degrees", ImGuiSliderFlags_AlwaysClamp))
-        return false;
-    map.setRotation(double(degrees));
-    return true;
+    float degrees = float(map.getRotation()), intensity = float(map.getIntensity());
+    const bool turned =
+        ImGui::SliderFloat("map rotation", &degrees, -180.0f, 180.0f, "%.0f degrees", ImGuiSliderFlags_AlwaysClamp);
+    if (turned) map.setRotation(double(degrees));
+    const bool dimmed = dragValue("map intensity", intensity, 0.0f, 1e6f);
+    if (dimmed) map.setIntensity(double(intensity));
+    return turned || dimmed;
 }
 
 // What the window shows is always for a display.

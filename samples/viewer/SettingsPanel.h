@@ -3,5 +3,6 @@
 
 #include <osgEnvLight/LitScene>
 
-/** The map's rotation, presets and all settings in their groups, to be changed. For a window of Dear ImGui. True if one was. */
+/** The map's rotation and intensity, presets and all settings in their groups, to be changed. For a window of Dear ImGui. True if
+ * one was. */
 bool showSettings(osgEnvLight::LitScene& lit);

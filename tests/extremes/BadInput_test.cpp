@@ -177,6 +177,7 @@ TEST_F(BadInput, Arguments)
     expectError(run({model, "--eye", "1,2,3"}), 2, {"--target"});
     expectError(run({model, "--eye", "1,2", "--target", "0,0,0"}), 2, {"--eye"});
     expectError(run({model, "--fovy", "200"}), 2, {"--fovy"});
+    expectError(run({model, "--env-intensity", "-1"}), 2, {"--env-intensity"});
     expectError(run({model, "--env-layout", "cylinder"}), 2, {"--env-layout", "cylinder", "vertical-cross"});
     expectError(run({model, "--what"}), 2, {"--what"});
     expectError(run({folder.file("nowhere.obj")}), 1, {"nowhere.obj", "no such file"});

@@ -2,8 +2,11 @@
 // Many pictures by one envlight-render: from a list of cameras, of a turn, by jobs that share them and start again.
 #include <Process.h>
 
+#include <osgDB/ReadFile>
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace RenderViews_test
@@ -85,6 +88,25 @@ TEST_F(RenderViews, AreSharedByJobsThatStartAgain)
     EXPECT_NE("another's", picture("turn-0004.png"));
     for (const auto& file : std::filesystem::directory_iterator(folder.file("")))
         EXPECT_EQ(std::string::npos, file.path().string().find(".part")) << file.path();
+}
+
+TEST_F(RenderViews, AreAsBrightAsTheMap)
+{
+    const auto radiance = [&](const std::string& name, const std::string& intensity) {
+        EXPECT_EQ(0, run(name, with(view, {"--env-intensity", intensity})).status);
+        return osgDB::readRefImageFile(folder.file(name));
+    };
+    const osg::ref_ptr<osg::Image> one = radiance("one.exr", "1"), three = radiance("three.exr", "3");
+    ASSERT_TRUE(one && three);
+    double least = 1e9, most = 0.0;
+    for (unsigned y = 0; y < 24; ++y)
+        for (unsigned x = 0; x < 24; ++x) {
+            const double ratio = double(three->getColor(x, y).g()) / double(one->getColor(x, y).g());
+            least = std::min(least, ratio);
+            most = std::max(most, ratio);
+        }
+    EXPECT_NEAR(3.0, least, 0.03);  // files hold halves
+    EXPECT_NEAR(3.0, most, 0.03);
 }
 
 TEST_F(RenderViews, WhatIsWrongIsNamed)

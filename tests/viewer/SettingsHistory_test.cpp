@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Undo and redo of settings, of the map and of its rotation.
+// Undo and redo of settings, of the map, its rotation and its intensity.
 #include <SettingsHistory.h>
 
 #include <gtest/gtest.h>
@@ -76,20 +76,27 @@ TEST_F(History, AllThatAPresetChangesIsOneStep)
     EXPECT_FALSE(_history.canUndo());
 }
 
-TEST_F(History, TheMapAndItsRotationComeBack)
+TEST_F(History, TheMapItsRotationAndItsIntensityComeBack)
 {
     const osg::ref_ptr<EnvironmentMap> first = _lit->getEnvironmentMap();
     first->setRotation(30);
+    _history.record();
+    first->setIntensity(2);
     _history.record();
     const osg::ref_ptr<EnvironmentMap> second = new EnvironmentMap;
     _lit->setEnvironmentMap(second);
     _history.record();
     _history.undo();
     EXPECT_EQ(first.get(), _lit->getEnvironmentMap());
+    EXPECT_EQ(2, first->getIntensity());
+    _history.undo();
+    EXPECT_EQ(1, first->getIntensity());
     EXPECT_EQ(30, first->getRotation());
     _history.undo();
     EXPECT_EQ(0, first->getRotation());
     _history.redo();
+    _history.redo();
+    EXPECT_EQ(2, first->getIntensity());
     _history.redo();
     EXPECT_EQ(second.get(), _lit->getEnvironmentMap());
 }
