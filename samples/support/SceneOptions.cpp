@@ -107,11 +107,13 @@ osgEnvLight::HomeView SceneOptions::namedView(osgEnvLight::LitScene& lit) const
     osgEnvLight::HomeView view;
     std::string error;
     osgDB::ifstream in(camera.c_str(), std::ios::binary);
-    if (!in) try {
+    if (!in) {
+        try {
             return osgEnvLight::modelCamera(lit, camera);
         } catch (const std::exception& e) {
             throw std::runtime_error("--camera is " + std::string(e.what()) + ", or a JSON file");
         }
+    }
     if (!osgEnvLight::readCamera(in, camera, view, error)) throw std::runtime_error(error);
     return view;
 }

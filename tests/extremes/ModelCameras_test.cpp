@@ -153,6 +153,10 @@ TEST_F(ModelCameras, ASceneDescriptionNamesOne)
     const std::string wrong = folder.write("wrong.envlight", R"({"model": "model.osgt", "camera": "bottom"})");
     auto result = osgDB::Registry::instance()->readNode(wrong, nullptr);
     EXPECT_EQ(wrong + ": key 'camera': 'bottom', expected a camera of the model, which has 'top', 'side'", result.message());
+    const std::string unnamed = folder.write("unnamed.envlight", R"({"model": "model.osgt", "camera": ""})");
+    result = osgDB::Registry::instance()->readNode(unnamed, nullptr);
+    EXPECT_EQ(unnamed + ": key 'camera': expected an object with eye and target, or the name of a camera, found \"\"",
+              result.message());
 }
 
 TEST_F(ModelCameras, ArePicturedByName)

@@ -55,6 +55,7 @@ void readEnvironment(const Value& v, SceneDescription& scene)
 
 void readSceneCamera(const Value& v, SceneDescription& scene)
 {
+    if (v.get() == "") v.fail("an object with eye and target, or the name of a camera");
     if (v.get().is_string())
         scene.cameraName = v.string();
     else
