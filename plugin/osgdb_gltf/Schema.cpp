@@ -95,6 +95,7 @@ const Rule rules[] = {
     {"cameras[].name", TEXT},
     {"cameras[].type", CHOICE, REQUIRED, 0, 0, "perspective orthographic"},
     {"cameras[].perspective.yfov", NUMBER, REQUIRED, 1e-3, 3.1},
+
     {"skins[].joints", LIST, REQUIRED, 1},
     {"skins[].joints[]", INDEX, OPTIONAL, 0, 0, "nodes"},
     {"skins[].inverseBindMatrices", INDEX, OPTIONAL, 0, 0, "accessors"},

@@ -27,7 +27,7 @@ class SceneView
     void handle(const InputEvent& event);
     /** To the home position. */
     void goHome();
-    /** From there; the home position stays. */
+    /** Moves the camera to a view. The home position stays as it is. */
     void look(const osgEnvLight::HomeView& view);
     /** To the scene as it is now, which has this home position, or OSG's. */
     void goTo(const std::optional<osgEnvLight::HomeView>& home);

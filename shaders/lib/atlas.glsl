@@ -83,14 +83,15 @@ vec3 atlasLookupPoint(vec3 p, vec3 n, float cosine, float texel)
     return p + n * (0.1 * texel * sqrt(max(1.0 - cosine * cosine, 0.0)));
 }
 
-// A texel's first surface, as it lies to a point beside the texel's centre. Of a sheet it is exact; the map keeps less than a body's height.
+// The first surface that a texel shows, beside a point that is not at the texel's centre. A sheet's height is exact; a body's is too low,
+// since the map keeps the body's middle.
 struct TexelSurface {
     float slope;      // of the surface, heights per texel
     float rise;       // of the point's own plane to the texel's centre
     float height;     // of the surface at the centre
     float overPoint;  // height of its plane where the point is
     float slack;      // of both planes, whose normals are not exact
-    float step;       // that the surface must be above the point's own plane: a rim lower than this stands beside the point
+    float step;       // a surface that is above the point's own plane by less than this is a rim beside the point
 };
 
 // toCentre: from the point to the texel's centre. plane: gradient of the point's own plane.
@@ -107,7 +108,7 @@ TexelSurface texelSurface(vec4 texel, vec2 toCentre, vec2 plane, int size)
     return s;
 }
 
-// Whether the surface covers the point at height: its plane is above the point, and it is itself a step above the point's own plane.
+// Whether the surface covers the point at height. Its plane is above the point then, and it is a step above the point's own plane.
 bool coversPoint(TexelSurface s, float height)
 {
     return s.overPoint > height + s.slack && s.height > height + s.rise + s.slack + s.step;

@@ -169,7 +169,7 @@ void writeGltfs(const fs::path& folder)
   "targets": [{"POSITION": 0}]}]}],
  "extensions": {"KHR_lights_punctual": {"lights": [{"type": "spot", "intensity": 3, "spot": {"outerConeAngle": 0.5}}]}},
  "cameras": [{"type": "perspective", "perspective": {"yfov": 0.7}}],
-"nodes": [{"mesh": 0, "camera": 0, "extensions": {"KHR_lights_punctual": {"light": 0}}}]})";
+ "nodes": [{"mesh": 0, "camera": 0, "extensions": {"KHR_lights_punctual": {"light": 0}}}]})";
     std::ofstream(folder / "motion.gltf")
         << R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 60, "uri": "data:;base64,)" << bytes << R"("}],
  "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24}],

@@ -15,7 +15,7 @@ namespace osgEnvLight
 namespace
 {
 
-/** In degrees and up and down, as HomeView has it. */
+/** The vertical opening angle, degrees. */
 double openingAngle(const osg::CameraView& camera)
 {
     double angle = camera.getFieldOfView();
