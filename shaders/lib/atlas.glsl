@@ -87,53 +87,64 @@ vec3 atlasLookupPoint(vec3 p, vec3 n, float cosine, float texel)
 // since the map keeps the body's middle.
 struct TexelSurface {
     float slope;      // of the surface, heights per texel
-    float rise;       // of the point's own plane to the texel's centre
-    float height;     // of the surface at the centre
-    float overPoint;  // height of its plane where the point is
+    vec2 apart;       // gradient by which the surface rises above the point's own plane
+    float own;        // height of the point's own plane at the centre
+    float height;     // of the surface there
+    float overPoint;  // height of the surface's plane where the point is
     float slack;      // of both planes, whose normals are not exact
-    float step;       // a surface that is above the point's own plane by less than this is a rim beside the point
 };
 
-// toCentre: from the point to the texel's centre. plane: gradient of the point's own plane.
-TexelSurface texelSurface(vec4 texel, vec2 toCentre, vec2 plane, int size)
+// toCentre: from the point at height to the texel's centre. plane: gradient of the point's own plane.
+TexelSurface texelSurface(vec4 texel, vec2 toCentre, float height, vec2 plane, int size)
 {
     vec2 gradient = unpackedRise(texel.y);
     TexelSurface s;
     s.slope = length(gradient);
-    s.rise = dot(plane, toCentre);
+    s.apart = gradient - plane;
+    s.own = height + dot(plane, toCentre);
     s.height = texel.x + leastDrop(s.slope, 1.0 / float(size));
     s.overPoint = s.height - dot(gradient, toCentre);
     s.slack = 0.01 * (1.0 / float(size) + s.slope) + ATLAS_STEP;
-    s.step = 0.05 * (1.0 / float(size) + max(abs(plane.x), abs(plane.y)));
     return s;
 }
 
-// Whether the surface covers the point at height. Its plane is above the point then, and it is a step above the point's own plane.
-bool coversPoint(TexelSurface s, float height)
+// Whether the surface covers the point at height: its plane is above the point, and it is itself above the point's own plane, by more
+// than a low rim beside the point.
+bool coversPoint(TexelSurface s, float height, int size)
 {
-    return s.overPoint > height + s.slack && s.height > height + s.rise + s.slack + s.step;
+    float step = 0.3 * (1.0 / float(size) + max(abs(s.apart.x), abs(s.apart.y)));
+    return s.overPoint > height + s.slack && s.height > s.own + s.slack + step;
+}
+
+// The neighbour of a texel in that direction.
+ivec2 neighbourTowards(vec2 way)
+{
+    return abs(way.x) > abs(way.y) ? ivec2(way.x < 0.0 ? -1 : 1, 0) : ivec2(0, way.y < 0.0 ? -1 : 1);
 }
 
 // 1 if the point at texel position xy and height sees the light of the map that starts at corner, else 0. plane: gradient of the point's
 // own plane. It counts up to what the texel's first surface rises to a corner: a steeper plane is another surface's.
 // A wall stands on a floor: light from below the floor must not reach the wall's foot, which is above the height that the map keeps of
-// the floor. The floor covers the foot, in this texel or in the next one before the wall. The other sides of a body do not cover a
-// point at its edge: their planes are above the point, but they are below the point's own plane.
+// the floor. The floor covers the foot: in this texel, or in the next one the way it rises from the wall. If this texel lies beyond both,
+// the nearest one shows the floor, whose plane meets the wall's within a texel.
+// The other sides of a body do not cover a point at its edge: their planes are above the point, but they are below the point's own plane.
 float atlasVisible(sampler2D atlasMap, ivec2 corner, int size, vec2 xy, float height, vec2 plane)
 {
     if (min(xy.x, xy.y) < 0.0 || max(xy.x, xy.y) >= float(size)) return 1.0;
     ivec2 p = ivec2(xy);
     vec4 texel = texelFetch(atlasMap, corner + p, 0);
     vec2 toCentre = vec2(p) + 0.5 - xy;
-    TexelSurface here = texelSurface(texel, toCentre, plane, size);
-    if (texel.x > height + clamp(here.rise, 0.0, riseToCorner(here.slope)) + ATLAS_STEP) return 0.0;
-    if (here.overPoint <= height + here.slack) return 1.0;
-    if (coversPoint(here, height)) return 0.0;
-    ivec2 next = abs(plane.x) > abs(plane.y) ? ivec2(plane.x > 0.0 ? -1 : 1, 0) : ivec2(0, plane.y > 0.0 ? -1 : 1);
+    TexelSurface here = texelSurface(texel, toCentre, height, plane, size);
+    if (texel.x > height + clamp(here.own - height, 0.0, riseToCorner(here.slope)) + ATLAS_STEP) return 0.0;
+    bool over = here.overPoint > height + here.slack;
+    if (!over && here.height >= here.own - here.slack) return 1.0;
+    if (coversPoint(here, height, size)) return 0.0;
+    ivec2 next = neighbourTowards(over ? here.apart : -toCentre);
     ivec2 q = p + next;
     if (min(q.x, q.y) < 0 || max(q.x, q.y) >= size) return 1.0;
-    TexelSurface beside = texelSurface(texelFetch(atlasMap, corner + q, 0), toCentre + vec2(next), plane, size);
-    return coversPoint(beside, height) ? 0.0 : 1.0;
+    TexelSurface beside = texelSurface(texelFetch(atlasMap, corner + q, 0), toCentre + vec2(next), height, plane, size);
+    bool meets = over || beside.overPoint - height <= max(abs(beside.apart.x), abs(beside.apart.y));
+    return meets && coversPoint(beside, height, size) ? 0.0 : 1.0;
 }
 
 #endif

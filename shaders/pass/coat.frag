@@ -41,7 +41,9 @@ LobeSeen coatSeen(ivec2 p, PixelCoat c)
     mat3 lightsFromEye = mat3(atlasFromEye);
     PixelLobe lobe = withNearLights(pixelLobe(lightsFromEye * c.eyeFromLocal, c.view, bsdf), 0);
     LobeLights sums = LobeLights(vec3(0.0), vec3(0.0), vec2(0.0));
-    addNearLights(lobe, vec3(atlasFromEye * vec4(pixelEye(p), 1.0)), lightsFromEye * c.normal, sums);
+    vec3 eye = pixelEye(p);
+    vec3 facet = lightsFromEye * pixelFacet(p, eye, pixelNormal(p));
+    addNearLights(lobe, vec3(atlasFromEye * vec4(eye, 1.0)), lightsFromEye * c.normal, facet, sums);
     return lobeSeen(sums);
 }
 #endif

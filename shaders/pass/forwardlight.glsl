@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Light on surfaces that no G-buffer holds: the same environment functions, one look-up for the lobe in place of the importance
-// samples. What hides light from them the shadow maps say: of the sky's each pixel of a 2x2 cell asks a quarter, and the cell shares
-// what its four know; of each sun's disc eight points.
+// samples. What hides light from them the shadow maps say, of each sun's disc eight points.
 #ifndef FORWARDLIGHT_GLSL
 #define FORWARDLIGHT_GLSL
 #pragma import_defines(FOGGED, HAS_COATS, HAS_ANISOTROPY, HAS_EDGES, HAS_ROUGH_DIFFUSE, HAS_SPECULAR, HAS_SUNS, SUN_DIFFUSE, HAS_ATLAS, HAS_SUN_MAPS, HAS_BOUNCE, HAS_SCENE_LIGHTS, HAS_SCENE_LIGHT_MAPS, HAS_AREA_LIGHTS)
@@ -18,12 +17,10 @@
 #include "pass/hostcolor.glsl"
 #include "pass/irradiance.glsl"
 #include "pass/litsurface.glsl"
+#include "pass/skyseen.glsl"
 #if defined(HAS_SUNS) || defined(HAS_SUN_MAPS)
 #include "lib/glint.glsl"
 #include "pass/suns.glsl"
-#endif
-#ifdef HAS_ATLAS
-#include "pass/atlas.glsl"
 #endif
 #ifdef HAS_SUN_MAPS
 #include "pass/sunshadow.glsl"
@@ -59,25 +56,6 @@ uniform float pyramidLastLevel;
 uniform float radianceScale;
 uniform mat3 mapFromEyeForward;
 
-// Shares of the map's light, of all directions and of the lobe that reach the surface.
-struct SkySeen {
-    vec3 light;
-    float ambient;
-    float lobe;
-};
-
-#ifdef HAS_ATLAS
-// Mean of the 2x2 pixels that are shaded together. Which of a pair this one is, the derivative of their parities says: where they
-// begin depends on the window's height.
-vec4 cellMean(vec4 v, ivec2 p)
-{
-    vec2 parity = vec2(p);
-    vec2 first = vec2((p.x == 0) == (dFdx(parity.x) > 0.0) ? 0.5 : -0.5, (p.y == 0) == (dFdy(parity.y) > 0.0) ? 0.5 : -0.5);
-    vec4 row = v + first.x * dFdx(v);
-    return row + first.y * dFdy(row);
-}
-#endif
-
 // The frame of the surface's lobe, in eye space.
 mat3 frameOf(Surface s)
 {
@@ -95,45 +73,6 @@ vec3 localView(vec3 ray, mat3 frame)
 {
     vec3 v = -ray * frame;
     return normalize(vec3(v.xy, max(v.z, 1e-4)));
-}
-
-// Narrower lobes would hold too few of the map's lights.
-const float LEAST_ALPHA = 0.3;
-
-SkySeen skySeen(Surface s)
-{
-#ifdef HAS_ATLAS
-    vec3 point = vec3(atlasFromEye * vec4(s.position, 1.0));
-    vec3 normal = mat3(atlasFromEye) * s.normal;
-    mat3 localFromEye = transpose(frameAround(s.normal));
-    vec3 view = localFromEye * -s.ray;
-    mat3 localFromLights = localFromEye * transpose(mat3(atlasFromEye));
-    vec4 num = vec4(0.0);
-    vec4 den = vec4(0.0);
-    vec2 lobe = vec2(0.0);
-    ivec2 p = ivec2(gl_FragCoord.xy) & 1;
-    int count = textureSize(atlasLightMap, 0).x;
-    for (int group = p.x + 2 * p.y; group < 16; group += 4)
-        for (int i = 0; i < count; ++i) {
-            AtlasLight light = atlasLight(group, i);
-            float c = dot(normal, light.direction);
-            if (c <= 0.0) continue;
-            vec4 e = c * vec4(light.flux, light.solidAngle);
-            float l = e.a * lobeShare(view, localFromLights * light.direction, max(s.roughness * s.roughness, LEAST_ALPHA));
-            float seen = atlasSees(light, point, normal, c);
-            num += seen * e;
-            den += e;
-            lobe += l * vec2(seen, 1.0);
-        }
-    num = cellMean(num, p);
-    den = cellMean(den, p);
-    lobe = cellMean(vec4(lobe, 0.0, 0.0), p).xy;
-    // Of nothing nothing is hidden.
-    vec4 share = mix(vec4(1.0), num / max(den, vec4(1e-20)), greaterThan(den, vec4(0.0)));
-    return SkySeen(share.rgb, share.a, lobe.y > 0.0 ? lobe.x / lobe.y : 1.0);
-#else
-    return SkySeen(vec3(1.0), 1.0, 1.0);
-#endif
 }
 
 #ifdef HAS_SUNS

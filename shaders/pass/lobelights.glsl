@@ -82,8 +82,8 @@ PixelLobe withNearLights(PixelLobe lobe, int group)
     return lobe;
 }
 
-// point, normal: of the surface, in the frame of the lights.
-void addNearLights(PixelLobe lobe, vec3 point, vec3 normal, inout LobeLights sums)
+// point, normal: of the surface, in the frame of the lights. facet: normal of its plane, which the maps show.
+void addNearLights(PixelLobe lobe, vec3 point, vec3 normal, vec3 facet, inout LobeLights sums)
 {
     for (int k = 0; k < lobe.near; ++k) {
         int number = nearLight(lobe, k);
@@ -91,7 +91,7 @@ void addNearLights(PixelLobe lobe, vec3 point, vec3 normal, inout LobeLights sum
         float c = dot(normal, light.direction);
         if (c <= 0.0) continue;
         // At the rim of round bodies the maps' texels hide the surface from lights that graze it.
-        bool seen = atlasSees(light, point, normal, c) > 0.5;
+        bool seen = atlasSees(light, point, facet, max(dot(facet, light.direction), 0.0)) > 0.5;
         addToLobe(lobe, c * vec4(light.flux, light.solidAngle), light.direction, seen, smoothstep(0.0, 0.1, c), sums);
     }
 }

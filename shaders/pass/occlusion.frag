@@ -271,7 +271,7 @@ void main()
     }
 #endif
 #if defined(HAS_LOBES) && defined(HAS_ATLAS)
-    addNearLights(lobe, point, normal, lobeLights);
+    addNearLights(lobe, point, normal, facet, lobeLights);
 #endif
 #ifdef HAS_LOBES
     lobeTexel = packLobeLights(lobeLights);

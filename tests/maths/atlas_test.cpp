@@ -163,8 +163,25 @@ TEST(atlas, NoLightReachesTheFootOfAWallFromUnderTheFloor)
     // Where the floor ends at the wall, nothing is before it.
     AtlasPair edge;
     edge.put(0, first);
-    EXPECT_EQ(0.0, edge.sees(0.2, floorAt(0.2) - 1.01 * edge.slack, wall));
+    EXPECT_EQ(0.0, edge.sees(0.1, floorAt(0.1) - 1.01 * edge.slack, wall));
     EXPECT_EQ(1.0, edge.sees(0.8, floorAt(0.8) - 1.01 * edge.slack, wall));
+}
+
+// A wall that faces the light is level in the map. The floor below rises from it to the left, and ends or goes on to the right.
+TEST(atlas, NoLightFromUnderTheFloorReachesAWallThatFacesIt)
+{
+    AtlasPair map, edge;
+    const double height = 0.5, foot = 1.4, x = 1.2;
+    const glsl::vec2 wall(0.0, 0.0);
+    const auto floorAt = [&](double at) { return height + map.slope * (foot - at); };
+    map.put(0, floorAt(0.5));
+    map.put(1, floorAt(1.5));
+    EXPECT_EQ(0.0, map.sees(x, height, wall));
+    EXPECT_EQ(1.0, map.sees(x, floorAt(x) + map.slack, wall));
+    edge.put(0, floorAt(0.5));
+    EXPECT_EQ(0.0, edge.sees(x, height, wall));
+    EXPECT_EQ(1.0, edge.sees(x, floorAt(x) + edge.slack, wall));
+    EXPECT_EQ(1.0, edge.sees(1.8, height, wall));  // beyond the foot
 }
 
 // A point is under the planes of the other sides of its own body: they are not before its own side.
@@ -187,11 +204,10 @@ TEST(atlas, ALowRimDoesntShadeWhatLiesWithinIt)
 {
     AtlasPair map;
     const glsl::vec2 board(-0.5 * map.slope, 0.0);
-    const double height = 0.5, x = 0.55;
-    const double step = map.slack + 0.05 * (1.0 / map.size + 0.5 * map.slope), atCentre = height + 0.05 * 0.5 * map.slope;
-    map.put(0, atCentre + 0.99 * step);
+    const double height = 0.5, x = 0.55, atCentre = height + (x - 0.5) * 0.5 * map.slope;
+    map.put(0, atCentre + 0.14 / map.size);
     EXPECT_EQ(1.0, map.sees(x, height, board));
-    map.put(0, atCentre + 1.5 * step);
+    map.put(0, atCentre + 0.5 / map.size);
     EXPECT_EQ(0.0, map.sees(x, height, board));
 }
 

@@ -251,10 +251,14 @@ TEST_F(MaterialMaps, OfACoat)
     EXPECT_GT(std::abs(rough - smooth), 0.002);
     Material::setCoatMap(s, evenTexture(osg::Vec3d(0, 1, 1)));
     EXPECT_EQ(0.0, middle(geode, Settings::SPECULAR)[1]);
-    // Leaning by 80 degrees it is seen at a grazing angle; what lies below it is not. Schlick at the pixel's cosine of .247.
+    // Schlick at the pixel's cosines, seen from the side, flat and leaning away by 5 degrees. What a coat mirrors that leans
+    // further is behind the card.
+    renderer.lookAt(osg::Vec3d(-4, -2, 0), osg::Vec3d());
     Material::setCoatMap(s, evenTexture(osg::Vec3d(1, 1, 1)));
-    Material::setCoatNormalMap(s, evenTexture(osg::Vec3d(0.985, 0, 0.174) * 0.5 + osg::Vec3d(0.5, 0.5, 0.5)));
-    EXPECT_NEAR(0.272, middle(geode, Settings::SPECULAR)[1], 0.01);
+    Material::setCoatRoughnessMap(s, evenTexture(osg::Vec3d(1, 0.02, 1)));
+    EXPECT_NEAR(0.04 + 0.96 * std::pow(1 - 0.496, 5), middle(geode, Settings::SPECULAR)[1], 0.001);
+    Material::setCoatNormalMap(s, evenTexture(osg::Vec3d(0.087, 0, 0.996) * 0.5 + osg::Vec3d(0.5, 0.5, 0.5)));
+    EXPECT_NEAR(0.04 + 0.96 * std::pow(1 - 0.419, 5), middle(geode, Settings::SPECULAR)[1], 0.001);
     expectNear(osg::Vec3d(0, -1, 0), normalOf(geode), "below the coat");
 }
 
