@@ -116,6 +116,12 @@ bool coversPoint(TexelSurface s, float height, int size)
     return s.overPoint > height + s.slack && s.height > s.own + s.slack + step;
 }
 
+// Whether the surface may be the point's own, further round the body: of a body the map keeps less than its height.
+bool isOwnSurface(TexelSurface s, int size)
+{
+    return max(abs(s.apart.x), abs(s.apart.y)) <= 0.25 * (1.0 / float(size) + s.slope);
+}
+
 // The neighbour of a texel in that direction.
 ivec2 neighbourTowards(vec2 way)
 {
@@ -125,8 +131,8 @@ ivec2 neighbourTowards(vec2 way)
 // 1 if the point at texel position xy and height sees the light of the map that starts at corner, else 0. plane: gradient of the point's
 // own plane. It counts up to what the texel's first surface rises to a corner: a steeper plane is another surface's.
 // A wall stands on a floor: light from below the floor must not reach the wall's foot, which is above the height that the map keeps of
-// the floor. The floor covers the foot: in this texel, or in the next one the way it rises from the wall. If this texel lies beyond both,
-// the nearest one shows the floor, whose plane meets the wall's within a texel.
+// the floor. The floor covers the foot: in this texel, or in the next one the way it rises from the wall. If this texel shows what is
+// behind both, the nearest one shows the floor, whose plane meets the wall's within a texel.
 // The other sides of a body do not cover a point at its edge: their planes are above the point, but they are below the point's own plane.
 float atlasVisible(sampler2D atlasMap, ivec2 corner, int size, vec2 xy, float height, vec2 plane)
 {
@@ -137,7 +143,7 @@ float atlasVisible(sampler2D atlasMap, ivec2 corner, int size, vec2 xy, float he
     TexelSurface here = texelSurface(texel, toCentre, height, plane, size);
     if (texel.x > height + clamp(here.own - height, 0.0, riseToCorner(here.slope)) + ATLAS_STEP) return 0.0;
     bool over = here.overPoint > height + here.slack;
-    if (!over && here.height >= here.own - here.slack) return 1.0;
+    if (!over && ((texel.x > 0.0 && isOwnSurface(here, size)) || here.height >= here.own - here.slack)) return 1.0;
     if (coversPoint(here, height, size)) return 0.0;
     ivec2 next = neighbourTowards(over ? here.apart : -toCentre);
     ivec2 q = p + next;

@@ -102,10 +102,12 @@ struct AtlasPair {
     const double slack = 0.01 * (1.0 / size + slope) + 5e-5;
     std::vector<float> texels = std::vector<float>(size_t(size) * size * 4, 0.0f);
 
-    void put(size_t x, double first)
+    void put(size_t x, double first) { put(x, first, slope); }
+
+    void put(size_t x, double first, double fall)
     {
-        texels[4 * x] = float(first - least);
-        texels[4 * x + 1] = float(glsl::packedRise(slope, glsl::turnOf(glsl::vec2(-1.0, 0.0))));
+        texels[4 * x] = float(first - glsl::leastDrop(fall, 1.0 / size));
+        texels[4 * x + 1] = float(glsl::packedRise(fall, glsl::turnOf(glsl::vec2(-1.0, 0.0))));
     }
 
     double sees(double x, double height, const glsl::vec2& plane) const
@@ -197,6 +199,20 @@ TEST(atlas, ABodyDoesntShadeItsSidesBesideAnEdge)
     const glsl::vec2 own(-map.slope, 0.0);
     map.put(1, first - map.slope);
     for (double x : {0.05, 0.5, 0.95, 1.4}) EXPECT_EQ(1.0, map.sees(x, first - map.slope * (x - 0.5), own)) << x;
+}
+
+// The steep rim of another body, three texels higher, would meet the plane of the point within a texel. The map keeps the middle
+// of the point's own body.
+TEST(atlas, ABodyNearerTheLightDoesntShadeTheTexelBesideIt)
+{
+    AtlasPair map;
+    const double height = 0.5, x = 1.2;
+    const glsl::vec2 own(-map.slope, 0.0);
+    map.put(0, height + 3.0 / map.size, 4.0 * map.slope);
+    map.put(1, height - 3.0 / map.size);
+    EXPECT_EQ(1.0, map.sees(x, height, own));
+    map.put(1, 0.0);  // if nothing is there, it may be a floor that meets a wall
+    EXPECT_EQ(0.0, map.sees(x, height, own));
 }
 
 // A board with a rim: the rim's outer side is before the board, but the light comes in over it.
