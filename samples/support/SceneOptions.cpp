@@ -133,15 +133,20 @@ std::optional<osgEnvLight::HomeView> SceneOptions::chosenView(osgEnvLight::LitSc
     return view;
 }
 
+double SceneOptions::openingAngle() const
+{
+    const osg::DisplaySettings& screen = *osg::DisplaySettings::instance();
+    return fovy ? *fovy
+                : osg::RadiansToDegrees(2.0 * std::atan2(0.5 * screen.getScreenHeight(), double(screen.getScreenDistance())));
+}
+
 osgEnvLight::HomeView SceneOptions::view(osgEnvLight::LitScene& lit) const
 {
     if (const auto chosen = chosenView(lit)) return *chosen;
     // Without a view of its own a scene is seen as osgviewer starts: the opening angle of a screen as DisplaySettings
     // gives it, and the manipulator's home.
-    const osg::DisplaySettings& screen = *osg::DisplaySettings::instance();
     osgEnvLight::HomeView home;
-    home.fovy = osg::RadiansToDegrees(2.0 * std::atan2(0.5 * screen.getScreenHeight(), double(screen.getScreenDistance())));
-    if (fovy) home.fovy = *fovy;
+    home.fovy = openingAngle();
     const osg::ref_ptr<osg::Camera> camera = new osg::Camera;
     camera->setProjectionMatrixAsPerspective(home.fovy, double(width) / height, 1.0, 10000.0);
     osg::ref_ptr<osgGA::TrackballManipulator> manipulator = new osgGA::TrackballManipulator;

@@ -42,6 +42,9 @@ struct SceneOptions {
     /** Those of --set. Throws BadArguments. */
     void applySettings(osgEnvLight::Settings& changed) const;
 
+    /** Vertical, degrees, of scenes without a view of their own: the command line's, else osgviewer's. */
+    double openingAngle() const;
+
     /** Of the command line, else the scene's own, else osgviewer's home position. */
     osgEnvLight::HomeView view(osgEnvLight::LitScene& lit) const;
 

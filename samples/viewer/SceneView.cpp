@@ -25,6 +25,7 @@ SceneView::SceneView(osgEnvLight::LitScene& lit, SceneOptions options, int width
     const osgEnvLight::HomeView first = options.view(lit);
     options.setCamera(first, camera);
     _homeFovy = first.fovy;
+    _fovyWithoutHome = options.openingAngle();
     // Several events of the pointer come with one time where frames are slow, and OSG would take any release for a throw.
     _manipulator->setAllowThrow(false);
     _viewer.setCameraManipulator(_manipulator);
@@ -124,10 +125,8 @@ void SceneView::setOpeningAngle(double fovy)
 
 void SceneView::goTo(const std::optional<osgEnvLight::HomeView>& home)
 {
-    if (home) {
-        _manipulator->setHomePosition(home->eye, home->target, home->up);
-        _homeFovy = home->fovy;
-    }
+    if (home) _manipulator->setHomePosition(home->eye, home->target, home->up);
+    _homeFovy = home ? home->fovy : _fovyWithoutHome;
     _manipulator->setAutoComputeHomePosition(!home);
     _manipulator->setNode(&_lit);
     goHome();

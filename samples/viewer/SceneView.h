@@ -58,6 +58,7 @@ class SceneView
     osg::ref_ptr<osgViewer::GraphicsWindowEmbedded> _window;
     osg::ref_ptr<osgGA::TrackballManipulator> _manipulator;
     double _homeFovy = 0.0;
+    double _fovyWithoutHome = 0.0;  // degrees, of scenes that bring no view
     osg::ref_ptr<osg::Texture2D> _drawn;
     osg::ref_ptr<osg::Texture2D> _kept;
     osg::ref_ptr<osg::FrameBufferObject> _drawnFrame;

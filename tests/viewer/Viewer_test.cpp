@@ -308,7 +308,7 @@ TEST_F(Viewer, FilesAreDropped)
     ASSERT_TRUE(osgDB::writeNodeFile(*new osg::ShapeDrawable(new osg::Sphere), other));
     _folder.write("letter.txt", "hello\n");
     _folder.write("scene.envlight", R"({"models": ["box.osgt"], "environment": {"map": "studio"},
-        "camera": {"eye": [7, 0, 0], "target": [0, 0, 0]}})");
+        "camera": {"eye": [7, 0, 0], "target": [0, 0, 0], "fovy": 10}})");
     const std::string before = viewer->command();
     const Screen bare = viewer->stillScreen();
     EXPECT_TRUE(viewer->drop(_folder.file("letter.txt")));
@@ -321,6 +321,10 @@ TEST_F(Viewer, FilesAreDropped)
     EXPECT_TRUE(viewer->drop(_folder.file("scene.envlight")));
     EXPECT_TRUE(ViewerWindow::waitUntil([&] { return viewer->title() == "scene.envlight - envlight-viewer"; }));
     EXPECT_EQ("7,0,0", option(viewer->command(), "eye"));
+    EXPECT_NEAR(10.0, std::atof(option(viewer->command(), "fovy").c_str()), 1e-3);
+    EXPECT_TRUE(viewer->drop(other));
+    EXPECT_TRUE(ViewerWindow::waitUntil([&] { return viewer->title() == "other one.osgt - envlight-viewer"; }));
+    EXPECT_EQ(option(before, "fovy"), option(viewer->command(), "fovy")) << "a model without a camera is seen as at the start";
     EXPECT_TRUE(viewer->running());
 }
 
