@@ -108,18 +108,24 @@ TexelSurface texelSurface(vec4 texel, vec2 toCentre, float height, vec2 plane, i
     return s;
 }
 
-// Whether the surface covers the point at height: its plane is above the point, and it is itself above the point's own plane, by more
-// than a low rim beside the point.
+// How far the surface parts from the point's own plane within a texel.
+float partsWithinTexel(TexelSurface s)
+{
+    return max(abs(s.apart.x), abs(s.apart.y));
+}
+
+// Whether the surface covers the point at height. Its plane lies above the point then, and the surface lies above the point's own
+// plane, by more than a low rim beside the point would.
 bool coversPoint(TexelSurface s, float height, int size)
 {
-    float step = 0.3 * (1.0 / float(size) + max(abs(s.apart.x), abs(s.apart.y)));
+    float step = 0.3 * (1.0 / float(size) + partsWithinTexel(s));
     return s.overPoint > height + s.slack && s.height > s.own + s.slack + step;
 }
 
 // Whether the surface may be the point's own, further round the body: of a body the map keeps less than its height.
 bool isOwnSurface(TexelSurface s, int size)
 {
-    return max(abs(s.apart.x), abs(s.apart.y)) <= 0.25 * (1.0 / float(size) + s.slope);
+    return partsWithinTexel(s) <= 0.25 * (1.0 / float(size) + s.slope);
 }
 
 // The neighbour of a texel in that direction.
@@ -149,7 +155,7 @@ float atlasVisible(sampler2D atlasMap, ivec2 corner, int size, vec2 xy, float he
     ivec2 q = p + next;
     if (min(q.x, q.y) < 0 || max(q.x, q.y) >= size) return 1.0;
     TexelSurface beside = texelSurface(texelFetch(atlasMap, corner + q, 0), toCentre + vec2(next), height, plane, size);
-    bool meets = over || beside.overPoint - height <= max(abs(beside.apart.x), abs(beside.apart.y));
+    bool meets = over || beside.overPoint - height <= partsWithinTexel(beside);
     return meets && coversPoint(beside, height, size) ? 0.0 : 1.0;
 }
 

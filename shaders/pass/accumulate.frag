@@ -70,7 +70,7 @@ vec3 surface(ivec2 p)
         vec3 d = e * rho;
 #endif
         den += d;
-        float sees = atlasSees(light, point, facet, max(dot(facet, light.direction), 0.0)) > 0.5 ? 1.0 : 0.0;
+        float sees = atlasSees(light, point, facet) > 0.5 ? 1.0 : 0.0;
         num += sees * d;
         if (isGlossy) change += (sees - shown) * e * bsdfLobe(lobe.bsdf, lobe.v, transpose(lobe.eyeFromLocal) * direction);
     }

@@ -104,10 +104,11 @@ float atlasTexelAt(vec3 p)
 #endif
 }
 
-// 1 if the light is seen from p with unit normal n, else 0. cosine: of the light to n.
-float atlasSees(AtlasLight light, vec3 p, vec3 n, float cosine)
+// 1 if the light is seen from p with unit normal n, else 0.
+float atlasSees(AtlasLight light, vec3 p, vec3 n)
 {
     if (light.texel < 0.0) return 1.0;
+    float cosine = max(dot(n, light.direction), 0.0);
 #ifdef HAS_NEIGHBOURHOOD
     float seen = neighbourhoodSees(light, p, n, cosine);
     if (seen >= 0.0) return seen;

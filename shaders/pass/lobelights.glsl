@@ -91,7 +91,7 @@ void addNearLights(PixelLobe lobe, vec3 point, vec3 normal, vec3 facet, inout Lo
         float c = dot(normal, light.direction);
         if (c <= 0.0) continue;
         // At the rim of round bodies the maps' texels hide the surface from lights that graze it.
-        bool seen = atlasSees(light, point, facet, max(dot(facet, light.direction), 0.0)) > 0.5;
+        bool seen = atlasSees(light, point, facet) > 0.5;
         addToLobe(lobe, c * vec4(light.flux, light.solidAngle), light.direction, seen, smoothstep(0.0, 0.1, c), sums);
     }
 }

@@ -260,7 +260,7 @@ void main()
             e *= open.w;
 #endif
 #ifdef HAS_ATLAS
-            seen = seen && atlasSees(light, point, facet, max(dot(facet, direction), 0.0)) > 0.5;
+            seen = seen && atlasSees(light, point, facet) > 0.5;
 #endif
             if (seen) sums.num += e;
 #ifdef HAS_LOBES

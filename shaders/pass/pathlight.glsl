@@ -104,7 +104,7 @@ vec3 lightAt(vec3 place, vec3 n, bool isLast)
         AtlasLight l = atlasLight(i % LIGHT_GROUPS, i / LIGHT_GROUPS);
         float c = dot(n, l.direction);
         if (c <= 0.0) continue;
-        float sees = atlasSees(l, place + placesInAtlas, n, c);
+        float sees = atlasSees(l, place + placesInAtlas, n);
         all += c * l.solidAngle;
         seen += sees * c * l.solidAngle;
 #ifndef MAP_IS_BLACK

@@ -59,7 +59,7 @@ float mirrorMeets(vec3 l, float hidden, vec3 place, vec3 n)
     int number = int(texelFetch(nearestLightMap, nearestLightTexel(d), 0).x & 0xffffu);
     AtlasLight nearest = atlasLight(number % LIGHT_GROUPS, number / LIGHT_GROUPS);
     float c = dot(n, nearest.direction);
-    return c > 0.0 ? 1.0 - atlasSees(nearest, place + placesInAtlas, n, c) : hidden;
+    return c > 0.0 ? 1.0 - atlasSees(nearest, place + placesInAtlas, n) : hidden;
 #else
     return 0.0;
 #endif
@@ -140,7 +140,7 @@ void main()
             float c = dot(n, l.direction);
             if (c <= 0.0) continue;
             all += c * l.solidAngle;
-            float sees = atlasSees(l, place + placesInAtlas, n, c);
+            float sees = atlasSees(l, place + placesInAtlas, n);
             seen += sees * c * l.solidAngle;
             float meets = mirrorMeets(l.direction, 1.0 - sees, place, n);
             between += meets * (1.0 - sees) * c * l.solidAngle;

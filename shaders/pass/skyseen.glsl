@@ -63,7 +63,7 @@ SkySeen skySeen(Surface s)
             if (c <= 0.0) continue;
             vec4 e = c * vec4(light.flux, light.solidAngle);
             float l = e.a * lobeShare(view, localFromLights * light.direction, max(s.roughness * s.roughness, LEAST_ALPHA));
-            float seen = atlasSees(light, point, facet, max(dot(facet, light.direction), 0.0));
+            float seen = atlasSees(light, point, facet);
             num += seen * e;
             den += e;
             lobe += l * vec2(seen, 1.0);
