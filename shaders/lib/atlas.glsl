@@ -136,10 +136,11 @@ ivec2 neighbourTowards(vec2 way)
 
 // 1 if the point at texel position xy and height sees the light of the map that starts at corner, else 0. plane: gradient of the point's
 // own plane. It counts up to what the texel's first surface rises to a corner: a steeper plane is another surface's.
-// A wall stands on a floor: light from below the floor must not reach the wall's foot, which is above the height that the map keeps of
-// the floor. The floor covers the foot: in this texel, or in the next one the way it rises from the wall. If this texel shows what is
-// behind both, the nearest one shows the floor, whose plane meets the wall's within a texel.
-// The other sides of a body do not cover a point at its edge: their planes are above the point, but they are below the point's own plane.
+// A wall stands on a floor, and light from below the floor must not reach the wall's foot. The map keeps the middle of the floor, which
+// is lower than the foot, but the floor's plane covers the foot. This texel shows the floor, or the neighbour does towards which the
+// floor rises from the wall. If this texel shows neither floor nor wall, the nearest neighbour shows the floor, and the two planes meet
+// within a texel.
+// The other sides of a body do not cover a point at its edge: their planes pass above the point, but the sides lie below its own plane.
 float atlasVisible(sampler2D atlasMap, ivec2 corner, int size, vec2 xy, float height, vec2 plane)
 {
     if (min(xy.x, xy.y) < 0.0 || max(xy.x, xy.y) >= float(size)) return 1.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Light on surfaces that no G-buffer holds: the same environment functions, one look-up for the lobe in place of the importance
-// samples. What hides light from them the shadow maps say, of each sun's disc eight points.
+// samples. Shadow maps say what hides the light; eight points of each sun's disc are looked up.
 #ifndef FORWARDLIGHT_GLSL
 #define FORWARDLIGHT_GLSL
 #pragma import_defines(FOGGED, HAS_COATS, HAS_ANISOTROPY, HAS_EDGES, HAS_ROUGH_DIFFUSE, HAS_SPECULAR, HAS_SUNS, SUN_DIFFUSE, HAS_ATLAS, HAS_SUN_MAPS, HAS_BOUNCE, HAS_SCENE_LIGHTS, HAS_SCENE_LIGHT_MAPS, HAS_AREA_LIGHTS)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the scene leaves of the map's light on surfaces that no G-buffer holds: each pixel of a 2x2 cell asks the shadow maps of a
-// quarter of the lights, and the cell shares what its four know.
+// How much of the map's light reaches surfaces that no G-buffer holds. Each pixel of a 2x2 cell looks up a quarter of the lights in
+// their shadow maps, and all four pixels take the mean.
 #ifndef SKYSEEN_GLSL
 #define SKYSEEN_GLSL
 #pragma import_defines(HAS_ATLAS)
@@ -20,7 +20,7 @@ struct SkySeen {
 };
 
 #ifdef HAS_ATLAS
-// Normal of the triangle, on the side of the surface's normal. The maps show triangles, not the normals that were smoothed over them.
+// Unit normal of the flat triangle, which is what the maps show, on the side of the surface's interpolated normal.
 vec3 facetOf(Surface s)
 {
     vec3 n = cross(dFdx(s.position), dFdy(s.position));

@@ -99,8 +99,8 @@ TEST(Atlas, NoLightComesThroughAFloorWithoutThickness)
     EXPECT_LT(most, 0.005);  // measured .0022; with middles half-way to the ceiling .094
 }
 
-// Light from z = low to high of the sphere that comes in under a wall of two units on a floor of 16, its front along y = 0: as
-// high as a strip that is fully lit would be at its foot, in texels.
+// How much light leaks in under a wall: the height of a fully lit strip at its foot that would be as bright, in texels. The light
+// comes from directions with low < z < high. The wall is two units wide, on a floor of 16 units, its front along y = 0.
 double leakUnder(osg::Node* first, osg::Node* second, double low = -1.0, double high = -0.3)
 {
     SceneRenderer renderer(96, 96);
@@ -131,7 +131,7 @@ TEST(Atlas, LittleLightComesInUnderAWall)
     EXPECT_LT(leakUnder(wall, floor), 0.005);
 }
 
-// Seen from almost along the floor, the wall is level and the floor is steep.
+// In the map of a light almost along the floor, the wall is level and the floor is steep.
 TEST(Atlas, LittleLightComesInUnderAWallAlongTheFloor)
 {
     const osg::ref_ptr<osg::Node> floor = makeQuad(osg::Vec3d(-8, -8, 0), osg::Vec3d(16, 0, 0), osg::Vec3d(0, 16, 0));

@@ -201,8 +201,8 @@ TEST(atlas, ABodyDoesntShadeItsSidesBesideAnEdge)
     for (double x : {0.05, 0.5, 0.95, 1.4}) EXPECT_EQ(1.0, map.sees(x, first - map.slope * (x - 0.5), own)) << x;
 }
 
-// The steep rim of another body, three texels higher, would meet the plane of the point within a texel. The map keeps the middle
-// of the point's own body.
+// The next texel shows another body, three texels higher and steep: its plane meets the point's own plane within a texel, as a
+// floor's would. This texel shows the point's own body, whose middle the map keeps.
 TEST(atlas, ABodyNearerTheLightDoesntShadeTheTexelBesideIt)
 {
     AtlasPair map;
