@@ -218,6 +218,16 @@ TEST(RadianceHdr, ExposureAndColourCorrectionAreDividedOut)
     EXPECT_EQ(at(bright, 0, 0)[0], std::numeric_limits<float>::max()) << "beyond float: the largest, not infinity";
 }
 
+TEST(RadianceHdr, AnExposureOfZeroIsNone)
+{
+    for (const char* value : {"0", "0.0", "0.000000e+00"}) {
+        const ImageResult result =
+            decodeHdr(oneLine(std::string("EXPOSURE=") + value + "\nEXPOSURE=2\n", 1, bytes({128, 64, 32, 129})));
+        ASSERT_TRUE(result.image.valid()) << value << ": " << result.error;
+        EXPECT_EQ(at(result, 0, 0)[0], 0.5f) << value;
+    }
+}
+
 /** CIE XYZ of a linear Rec.709 colour, from nothing but the chromaticities in ITU-R BT.709. */
 std::array<double, 3> xyzOf(const float* rgb)
 {
@@ -264,9 +274,10 @@ TEST(RadianceHdr, HeadersThatAreRefused)
     expectHdrError("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n", "header ends early");
     expectHdrError("#?RADIANCE\n\n-Y 1 +X 1", "header ends early");
     expectHdrError("#?RADIANCE\nFORMAT=64-bit\n\n-Y 1 +X 1\nabcd", "FORMAT is \"64-bit\"");
-    for (const char* value : {"", "abc", "0", "-1", "nan", "inf", "1e999", "1,5", "1 2", "1e-300", "0x10"})
+    for (const char* value : {"", "abc", "-1", "nan", "inf", "1e999", "1,5", "1 2", "1e-300", "0x10"})
         expectHdrError(oneLine(std::string("EXPOSURE=") + value + "\n", 1, "abcd"), "EXPOSURE");
-    expectHdrError(oneLine("COLORCORR=1 2\n", 1, "abcd"), "COLORCORR");
+    for (const char* value : {"1 2", "0 0 0"})
+        expectHdrError(oneLine(std::string("COLORCORR=") + value + "\n", 1, "abcd"), "COLORCORR");
     for (const char* text :
          {"-Y 0 +X 4", "-Y -2 +X 4", "-Y 4 +X", "-Y 1.5 +X 4", "-Y 99999999999999999999 +X 1", "-Y 65537 +X 1"})
         expectHdrError(resolution(text), "expected a whole number from 1 to 65536");

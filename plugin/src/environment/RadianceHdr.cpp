@@ -58,12 +58,15 @@ std::string_view nextWord(std::string_view& text)
 /** A factor of EXPOSURE or COLORCORR. std::from_chars knows no locale. */
 double parseFactor(std::string_view word, std::string_view key)
 {
+    const bool exposure = key == "EXPOSURE";
     const std::string_view digits = word.substr(word.substr(0, 1) == "+" ? 1 : 0);
     double value = 0.0;
     const auto [end, status] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (status != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value) || value <= 0.0)
+    const bool number = status == std::errc() && end == digits.data() + digits.size() && std::isfinite(value);
+    if (!number || value < 0.0 || (value == 0.0 && !exposure))
         fail(std::string(key) + " is " + quoted(word) + ", expected a positive number");
-    return value;
+    // FreeImage writes an exposure of 0 where it knows none.
+    return value == 0.0 ? 1.0 : value;
 }
 
 struct Header {
