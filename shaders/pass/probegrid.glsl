@@ -94,18 +94,20 @@ int probeAt(ivec3 at)
     return (at.z * probeCount.y + at.y) * probeCount.x + at.x;
 }
 
-// lifted: the point, off its surface.
+// lifted: the point, off its surface. A probe in or behind the plane of the surface may stand at a body's dark side. It counts little,
+// unless no other sees the point.
 float probeWeight(int probe, vec3 linear, vec3 point, vec3 lifted, vec3 n)
 {
     vec4 own = texelFetch(probePlaceMap, probeTexel(probe), 0);
     vec3 to = own.xyz - point;
-    float facing = 0.5 * dot(to, n) * inversesqrt(max(dot(to, to), 1e-30)) + 0.5;
-    float w = max(linear.x * linear.y * linear.z, 1e-4) * (facing * facing + 0.2);
+    float cosine = dot(to, n) * inversesqrt(max(dot(to, to), 1e-30));
+    float facing = 0.5 * cosine + 0.5;
+    float w = facing * facing * smoothstep(-0.1, 0.2, cosine) + 0.02;
     vec3 from = lifted - own.xyz;
     float distance = length(from);
     w *= probeSees(probe, from / max(distance, 1e-20), distance);
     w = w < 0.2 ? w * w * w / 0.04 : w;  // what hardly counts counts less: no light comes through walls
-    return own.w * w;
+    return own.w * w * max(linear.x * linear.y * linear.z, 1e-4);
 }
 
 #ifdef HAS_PROBE_LATTICES

@@ -128,7 +128,7 @@ SuiteScene makeScene(const std::string& name)
     const auto model = models.find(name);
     if (model != models.end())
         scene = modelScene(model->second);
-    else if (name == "chess" || name == "atrium" || name == "swing" || name == "spheres")
+    else if (name == "chess" || name == "atrium" || name == "swing" || name == "spheres" || name == "cornell")
         scene = demonstration(name);
     else {
         scene = emptyScene();

@@ -20,7 +20,7 @@ struct SuiteScene {
     void add(const osg::ref_ptr<osg::Geode>& geode) { lit->addChild(geode); }
 };
 
-/** A demonstration scene (chess, atrium, swing, spheres) as the build makes it,
+/** A demonstration scene (chess, atrium, swing, spheres, cornell) as the build makes it,
  * a model of assimp-testmodels (spider, wuson, fels), or one of those made by
  * code. Throws std::runtime_error for any other name. */
 SuiteScene makeScene(const std::string& name);
