@@ -98,6 +98,8 @@ void readRaysOfLobes(PassBuilder& b, FrameContext& c)
     b.frameUniforms(sceneRays(c)->uniforms);
     b.shadowOrigin(c.indirect->scene->origin);
     b.frameUniforms(&c.frame.probeState(c.indirect->share));
+    b.read(b.find("specular"), "specularTermMap");
+    b.read("coat", "coatTermMap");
     b.read(b.find("blocked lobe"), "blockedLobeMap");
     b.read("blocked coat", "blockedCoatMap");
     c.remark(", else what rays through the scene meet");
