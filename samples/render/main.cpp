@@ -12,10 +12,21 @@
 #include <osgDB/FileNameUtils>
 
 #include <algorithm>
+#include <csignal>
+#include <functional>
 #include <stdexcept>
 
 namespace
 {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+// Once: a second signal ends the program at once.
+void interrupt(int signal)
+{
+    interrupted = 1;
+    std::signal(signal, SIG_DFL);
+}
 
 struct Arguments {
     SceneOptions scene;
@@ -33,7 +44,7 @@ void addOptions(CommandLine& line, Arguments& a)
     line.add("--term", a.term, "an intermediate instead of the picture: diffuse, specular, occlusion, albedo, normal, depth ...");
     line.add("--frames", a.frames,
              "let the still picture converge (accumulate=on) over so many frames: the first is the normal one, each further "
-             "one adds 64 lights with shadow maps of their own")
+             "one adds 64 lights with shadow maps of their own. Ctrl-C ends it earlier, with the picture that there is")
         .within(1, 65536);
     line.add("--error", a.error,
              "let it converge until its estimated standard error is this share of its mean, or for --frames, or 4096, frames")
@@ -43,20 +54,33 @@ void addOptions(CommandLine& line, Arguments& a)
     line.add("-o,--output", a.output, "OUT.exr (linear radiance) or OUT.png (exposed and tone mapped)").required();
 }
 
-// Draws what is to be written.
-void draw(HeadlessViewer& viewer, const osgEnvLight::LitScene& lit, const Arguments& a, Statistics& statistics)
+bool converges(const Arguments& a)
 {
-    const bool converges = lit.getSettings()->accumulate;
+    return a.frames > 0 || a.error > 0.0;
+}
+
+// Draws what is to be written. progress: the share that is done, after so many frames.
+void draw(HeadlessViewer& viewer, const osgEnvLight::LitScene& lit, const Arguments& a, Statistics& statistics,
+          const std::function<void(double, int)>& progress)
+{
+    const bool still = lit.getSettings()->accumulate;
     const int normalFrames = 2;    // the second has all textures and shaders
     const int settledFrames = 16;  // at most: what a large scene's view shows is known some frames later
-    const bool normal = a.frames <= 0 && a.error <= 0.0;
-    const int most = a.frames > 0 ? a.frames : a.error > 0.0 ? 4096 : normalFrames;
+    const bool normal = !converges(a);
+    const int most = a.frames > 0 ? a.frames : normal ? normalFrames : 4096;
     while (statistics.frames < most || (normal && lit.regenerating() && statistics.frames < settledFrames)) {
-        const double time = converges ? 0.0 : std::min(statistics.frames, normalFrames - 1) / 30.0;
+        const double time = still ? 0.0 : std::min(statistics.frames, normalFrames - 1) / 30.0;
         (statistics.frames == 0 ? statistics.firstFrame : statistics.lastFrame) = viewer.draw(time);
         ++statistics.frames;
         const double error = lit.average().standardError;
-        if (a.error > 0.0 && error >= 0.0 && error <= a.error) break;
+        if (a.error > 0.0 && error >= 0.0 && error <= a.error) return;
+        if (statistics.frames < most && interrupted) {
+            statistics.complete = false;
+            return;
+        }
+        // The error falls with the root of the number of frames.
+        const double ofError = a.error > 0.0 && error > 0.0 ? a.error * a.error / (error * error) : 0.0;
+        progress(std::max(double(statistics.frames) / most, ofError), statistics.frames);
     }
 }
 
@@ -73,14 +97,21 @@ void drawViews(HeadlessViewer& viewer, osgEnvLight::LitScene& lit, const Argumen
     std::vector<size_t> wanted;
     for (size_t i = 0; i < views.size(); ++i)
         if (a.views.makes(i, fileOf(i))) wanted.push_back(i);
-    ProgressBar bar(wanted.size() < 2);
+    ProgressBar bar(wanted.size() < 2 && !converges(a));
     for (size_t k = 0; k < wanted.size(); ++k) {
         const std::string file = fileOf(wanted[k]);
-        bar.show(double(k) / double(wanted.size()), file);
+        const auto show = [&](double share, int frames) {
+            const std::string after = frames > 0 && converges(a) ? ", " + std::to_string(frames) + " frames" : "";
+            bar.show((double(k) + share) / double(wanted.size()), file + after);
+        };
+        show(0.0, 0);
         viewer.setView(views[wanted[k]]);
         statistics.frames = 0;
-        draw(viewer, lit, a, statistics);
+        draw(viewer, lit, a, statistics, show);
+        // Of several pictures --resume makes those that are not there: only whole ones are written.
+        if (!statistics.complete && wanted.size() > 1) throw std::runtime_error("interrupted before " + file);
         write(viewer, file);
+        if (interrupted && k + 1 < wanted.size()) throw std::runtime_error("interrupted after " + file);
     }
 }
 
@@ -92,15 +123,19 @@ int run(Arguments& a)
     if (extension != "exr" && extension != "png")
         throw BadArguments("-o is '" + a.output + "', expected a name ending in .exr or .png");
     if (!a.term.empty()) a.scene.settings.push_back("view=" + a.term);
-    if (a.frames > 0 || a.error > 0.0)
-        a.scene.settings.insert(a.scene.settings.begin(), {"accumulate=on", "accumulateFrames=65536"});
+    if (converges(a)) a.scene.settings.insert(a.scene.settings.begin(), {"accumulate=on", "accumulateFrames=65536"});
     osg::ref_ptr<osgEnvLight::LitScene> lit = a.scene.load(extension == "exr");
     HeadlessViewer viewer(*lit, a.scene);
     Statistics statistics{a.scene.scene, a.scene.width, a.scene.height};
     lit->setTimed(!a.statistics.empty());
+    if (converges(a))
+        for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, interrupt);
     drawViews(viewer, *lit, a, statistics);
     std::string error;
     if (!a.statistics.empty() && !statistics.write(a.statistics, *lit, viewer.context(), error)) throw std::runtime_error(error);
+    if (!statistics.complete)
+        throw std::runtime_error("interrupted; " + a.output + " holds what " + std::to_string(statistics.frames) +
+                                 " frames made");
     return 0;
 }
 

@@ -33,7 +33,7 @@ class RenderViews : public testing::Test
   protected:
     Outcome run(const std::string& output, std::vector<std::string> arguments)
     {
-        arguments.insert(arguments.begin(), {std::string(ENVLIGHT_BINARY_DIR) + "/bin/envlight-render", model});
+        arguments.insert(arguments.begin(), {program, model});
         arguments.insert(arguments.end(), {"--size", "24x24", "--set", "regeneration=immediate", "-o", folder.file(output)});
         return runProgram(arguments);
     }
@@ -41,6 +41,7 @@ class RenderViews : public testing::Test
     std::string picture(const std::string& name) const { return readFile(folder.file(name)); }
     bool exists(const std::string& name) const { return std::filesystem::exists(folder.file(name)); }
 
+    const std::string program = std::string(ENVLIGHT_BINARY_DIR) + "/bin/envlight-render";
     TemporaryFolder folder;
     const std::string model = folder.write("wedge.obj", wedge);
     const std::vector<std::string> view = {"--eye", "0,-5,2", "--target", "0,0,0.3", "--fovy", "30"};
@@ -131,6 +132,29 @@ TEST_F(RenderViews, WhatIsWrongIsNamed)
         EXPECT_NE(std::string::npos, o.err.find(c.words)) << "'" << c.words << "' in: " << o.err;
         EXPECT_FALSE(exists("p-0001.png"));
     }
+}
+
+TEST_F(RenderViews, InterruptedAStillViewKeepsWhatThereIs)
+{
+    const std::string out = folder.file("still.exr");
+    const Outcome o =
+        interruptProgram(with({program, model, "--size", "24x24", "--frames", "60000", "-o", out}, view), "[2-9] frames");
+    EXPECT_EQ(1, o.status);
+    EXPECT_NE(std::string::npos, o.err.find("interrupted; " + out + " holds what ")) << o.err;
+    const osg::ref_ptr<osg::Image> image = osgDB::readRefImageFile(out);
+    ASSERT_TRUE(image.valid());
+    EXPECT_EQ(24, image->s());
+}
+
+// What --resume finds is whole.
+TEST_F(RenderViews, InterruptedATurnLeavesNoHalfPicture)
+{
+    const std::string out = folder.file("turn.exr");
+    const Outcome o = interruptProgram(
+        with({program, model, "--size", "24x24", "--frames", "60000", "--turntable", "3", "-o", out}, view), "[2-9] frames");
+    EXPECT_EQ(1, o.status);
+    EXPECT_NE(std::string::npos, o.err.find("interrupted before " + folder.file("turn-0001.exr"))) << o.err;
+    EXPECT_FALSE(exists("turn-0001.exr"));
 }
 
 }  // namespace RenderViews_test

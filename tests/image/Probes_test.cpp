@@ -173,7 +173,7 @@ TEST(Probes, ABoxThatStandsAskewHasNoSpots)
     scene.lit->getSettings()->view = Settings::BOUNCED;
     const Picture picture = renderer.render(scene.lit);
     const Picture truth =
-        tracedView(*scene.lit, renderer, 1024, {osgEnvLight::Layer::INDIRECT}, false, osgEnvLight::ReferenceOptions::FULL)
+        tracedView(*scene.lit, renderer, 256, {osgEnvLight::Layer::INDIRECT}, false, osgEnvLight::ReferenceOptions::FULL)
             .mean(osgEnvLight::Layer::INDIRECT);
     double least = 1e30, most = 0.0;
     for (int y = 0; y < 48; y += 6)
