@@ -3,7 +3,7 @@
 // samples. Shadow maps say what hides the light; eight points of each sun's disc are looked up.
 #ifndef FORWARDLIGHT_GLSL
 #define FORWARDLIGHT_GLSL
-#pragma import_defines(FOGGED, HAS_COATS, HAS_ANISOTROPY, HAS_EDGES, HAS_ROUGH_DIFFUSE, HAS_SPECULAR, HAS_SUNS, SUN_DIFFUSE, HAS_ATLAS, HAS_SUN_MAPS, HAS_BOUNCE, HAS_SCENE_LIGHTS, HAS_SCENE_LIGHT_MAPS, HAS_AREA_LIGHTS)
+#pragma import_defines(FOGGED, HAS_COATS, HAS_ANISOTROPY, HAS_EDGES, HAS_ROUGH_DIFFUSE, HAS_SPECULAR, HAS_SUNS, SUN_DIFFUSE, HAS_ATLAS, HAS_SUN_MAPS, HAS_BOUNCE, HAS_PROBES, HAS_SCENE_LIGHTS, HAS_SCENE_LIGHT_MAPS, HAS_AREA_LIGHTS)
 
 #include "lib/atlas.glsl"
 #include "lib/frame.glsl"
@@ -28,6 +28,11 @@ uniform mat4 sunsFromEye;
 #endif
 #ifdef HAS_BOUNCE
 #include "pass/meanradiance.glsl"
+#endif
+#ifdef HAS_PROBES
+#include "pass/probegrid.glsl"
+uniform mat4 probesFromEye;  // to their origin
+uniform float probeShare;    // the rest is the mean radiance of what blocks light
 #endif
 #if defined(HAS_SCENE_LIGHT_MAPS) || defined(HAS_AREA_LIGHTS)
 #include "pass/pointmap.glsl"
@@ -259,6 +264,29 @@ vec3 mirrored(Bsdf b, vec3 ray, vec3 normal)
 }
 #endif
 
+// The light of the surfaces about: as the radiance that a white surface sends on of it, and their mean about the mirror direction.
+struct SurfacesAbout {
+    vec3 received;
+    vec3 mirrored;
+};
+
+SurfacesAbout surfacesAbout(Surface s, float hidden)
+{
+    SurfacesAbout about = SurfacesAbout(vec3(0.0), vec3(0.0));
+    vec3 d = reflect(s.ray, s.normal);
+#ifdef HAS_BOUNCE
+    about = SurfacesAbout(hidden * meanRadiance(s.normal), meanRadiance(d));
+#endif
+#ifdef HAS_PROBES
+    mat3 turn = mat3(probesFromEye);
+    vec3 n = turn * s.normal;
+    ProbesAbout probes = probesAbout(vec3(probesFromEye * vec4(s.position, 1.0)), n, turn * -s.ray);
+    about.received = mix(about.received, radianceScale * receivedFrom(sentAbout(probes, n), hidden), probeShare);
+    about.mirrored = mix(about.mirrored, radianceScale * sentAbout(probes, turn * d).radiance, probeShare);
+#endif
+    return about;
+}
+
 // What the host draws to, and the coverage: what a surface mirrors does not fade with its transparency.
 vec4 forwardColor(Surface s)
 {
@@ -268,6 +296,7 @@ vec4 forwardColor(Surface s)
     float alpha = s.alpha;
     vec3 mapNormal = mapFromEyeForward * s.normal;
     SkySeen seen = skySeen(s);
+    SurfacesAbout about = surfacesAbout(s, 1.0 - seen.ambient);
     vec3 diffuse = diffuseOfSky(s, layers) * seen.light;
     vec3 sunGlint = vec3(0.0);
 #ifdef HAS_SUNS
@@ -315,18 +344,14 @@ vec4 forwardColor(Surface s)
         sky += layers.coat.reflected * mirrored(layers.coat, s.ray, s.coatNormal);
 #endif
         glint += (sky * seen.lobe + sunGlint) * radianceScale;
-#ifdef HAS_BOUNCE
-        glint += reflected * (1.0 - seen.lobe) * meanRadiance(reflect(s.ray, s.normal));
-#endif
+        glint += reflected * (1.0 - seen.lobe) * about.mirrored;
 #endif
         // A reflection does not fade with the body's transparency: blending multiplies by alpha, so alpha rises with it.
         float strength = max(reflected.r, max(reflected.g, reflected.b));
         alpha = mix(s.alpha, 1.0, clamp(strength, 0.0, 1.0));
         radiance += glint / max(alpha, 1e-3);
     }
-#ifdef HAS_BOUNCE
-    diffuse += diffuseAlbedo(s, layers) * (1.0 - seen.ambient) * meanRadiance(s.normal);
-#endif
+    diffuse += diffuseAlbedo(s, layers) * about.received;
     radiance += diffuse * (s.alpha / max(alpha, 1e-3));
 #ifdef FOGGED
     radiance = mix(fogRadiance, radiance, fogLeaves(s.position));

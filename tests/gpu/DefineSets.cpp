@@ -37,7 +37,8 @@ const std::vector<std::pair<std::string, std::string>> needs = {
     {"SUNS_OVER_4", "SUNS_OVER_2"},          {"SUNS_OVER_6", "SUNS_OVER_4"},  {"BACKGROUND_BLUR", "BACKGROUND"},
     {"HAS_OCCLUSION", "HAS_DIFFUSE"},        {"HAS_BOUNCE", "HAS_OCCLUSION"}, {"SUN_DIFFUSE", "HAS_SUNS"},
     {"HAS_NEIGHBOURHOOD", "HAS_ATLAS"},      {"TEMPORAL", "ANTIALIASED"},     {"HAS_LOBES", "HAS_ATLAS"},
-    {"HAS_ANISOTROPY", "HAS_COOK_TORRANCE"},
+    {"HAS_ANISOTROPY", "HAS_COOK_TORRANCE"}, {"HAS_BOUNCE", "HAS_ATLAS"},     {"HAS_PROBES", "HAS_ATLAS"},
+    {"HAS_PROBE_LATTICES", "HAS_PROBES"},
 };
 
 void extend(const Defines& defines, size_t next, Defines& set, std::vector<Defines>& result)

@@ -110,4 +110,36 @@ TEST(Transparent, AloneInViewTheyStillAskTheMaps)
     EXPECT_GT(shaded, 0.0);
 }
 
+// Between a red and a green wall: each half of the floor has the colour of the wall beside it. The mean of the picture knows no
+// place.
+TEST(Transparent, LitByTheWallsBesideThemAsOpaqueOnes)
+{
+    SceneRenderer renderer(96, 64);
+    Picture pictures[2];
+    for (const bool isTransparent : {false, true}) {
+        const osg::ref_ptr<LitScene> lit = beauty(constantMap(1.0));
+        lit->getSettings()->bounce = Settings::BOUNCE_PROBES;
+        const osg::ref_ptr<osg::Geode> floor = makeQuad(osg::Vec3d(-1.8, -1.5, 0.2), osg::Vec3d(3.6, 0, 0), osg::Vec3d(0, 3, 0));
+        lit->addChild(isTransparent ? transparent(floor) : opaque(floor));
+        for (const bool right : {false, true}) {
+            const osg::ref_ptr<osg::Geode> wall =
+                makeBox(osg::Vec3d(right ? 2 : -2.2, -3, 0), osg::Vec3d(right ? 2.2 : -2, 3, 3));
+            osgEnvLight::Material::setLambert(*wall->getOrCreateStateSet(),
+                                              right ? osg::Vec3f(0, 0.9f, 0) : osg::Vec3f(0.9f, 0, 0));
+            lit->addChild(wall);
+        }
+        renderer.lookAt(osg::Vec3d(0, 0, 9), osg::Vec3d(), osg::Vec3d(0, 1, 0), 24.0);
+        pictures[isTransparent] = renderer.render(lit);
+    }
+    for (const double x : {-1.6, -1.0, 1.0, 1.6}) {
+        const osg::Vec2d at = renderer.pixelOf(osg::Vec3d(x, 0, 0.2));
+        const auto tint = [&](const Picture& p) {
+            const osg::Vec3d c = p.color(int(at.x()), int(at.y()));
+            return (c[0] - c[1]) / (c[0] + c[1]);
+        };
+        EXPECT_GT(tint(pictures[0]) * (x < 0 ? 1 : -1), 0.02) << x;
+        EXPECT_NEAR(tint(pictures[0]), tint(pictures[1]), 0.01) << x;  // measured .003; of .1 to .17
+    }
+}
+
 }  // namespace Transparent_test

@@ -194,6 +194,10 @@ TEST(PassSettings, EveryPassHasThoseThatItsShaderReads)
         renderer.render(lit.get(), 1);
     s.occlusionMethod = Settings::SLICE;
     s.visibility = Settings::VISIBILITY_AUTO;
+    const int bounce = s.bounce;
+    s.bounce = Settings::BOUNCE_MEAN;
+    renderer.render(lit.get(), 1);
+    s.bounce = bounce;
     s.accumulate = true;
     lit->removeChildren(farBox, 3);
     renderer.render(lit.get(), 12);

@@ -14,8 +14,7 @@ Requirement requireBounce(const FrameContext& c)
 {
     Requirement bounce;
     bounce.unless(c.settings.bounce == Settings::BOUNCE_OFF, "switched off");
-    const bool probes = c.indirect && c.indirect->share >= 1.0 && c.facts.surfaces.litForward == 0;
-    bounce.unless(probes, "probes know it");
+    bounce.unless(c.indirect && c.indirect->share >= 1.0, "probes know it");
     bounce.unless(!c.decisions.occlusion.needed, "no light is blocked");
     return bounce.unless(!c.decisions.atlas.needed, "without the atlas nobody knows how much of the map a surface sees");
 }
