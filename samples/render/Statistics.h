@@ -13,7 +13,6 @@ struct Statistics {
     int width = 0;
     int height = 0;
     int frames = 0;
-    bool complete = true;     // else an interruption left some out
     double firstFrame = 0.0;  // milliseconds
     double lastFrame = 0.0;
 

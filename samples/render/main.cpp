@@ -59,8 +59,9 @@ bool converges(const Arguments& a)
     return a.frames > 0 || a.error > 0.0;
 }
 
-// Draws what is to be written. progress: the share that is done, after so many frames.
-void draw(HeadlessViewer& viewer, const osgEnvLight::LitScene& lit, const Arguments& a, Statistics& statistics,
+// Draws what is to be written. False if a signal stopped it before the last frame. progress: the share that is done, after so
+// many frames.
+bool draw(HeadlessViewer& viewer, const osgEnvLight::LitScene& lit, const Arguments& a, Statistics& statistics,
           const std::function<void(double, int)>& progress)
 {
     const bool still = lit.getSettings()->accumulate;
@@ -73,15 +74,13 @@ void draw(HeadlessViewer& viewer, const osgEnvLight::LitScene& lit, const Argume
         (statistics.frames == 0 ? statistics.firstFrame : statistics.lastFrame) = viewer.draw(time);
         ++statistics.frames;
         const double error = lit.average().standardError;
-        if (a.error > 0.0 && error >= 0.0 && error <= a.error) return;
-        if (statistics.frames < most && interrupted) {
-            statistics.complete = false;
-            return;
-        }
+        if (a.error > 0.0 && error >= 0.0 && error <= a.error) return true;
+        if (statistics.frames < most && interrupted) return false;
         // The error falls with the root of the number of frames.
         const double ofError = a.error > 0.0 && error > 0.0 ? a.error * a.error / (error * error) : 0.0;
         progress(std::max(double(statistics.frames) / most, ofError), statistics.frames);
     }
+    return true;
 }
 
 void write(HeadlessViewer& viewer, const std::string& file)
@@ -90,7 +89,8 @@ void write(HeadlessViewer& viewer, const std::string& file)
     writeWholeImageFile(linear ? *viewer.image() : *osgEnvLight::eightBit(viewer.picture()), file);
 }
 
-void drawViews(HeadlessViewer& viewer, osgEnvLight::LitScene& lit, const Arguments& a, Statistics& statistics)
+// False if the only picture is not complete.
+bool drawViews(HeadlessViewer& viewer, osgEnvLight::LitScene& lit, const Arguments& a, Statistics& statistics)
 {
     const std::vector<osgEnvLight::HomeView> views = a.views.of(lit, a.scene);
     const auto fileOf = [&a](size_t i) { return a.views.several() ? numbered(a.output, i) : a.output; };
@@ -107,12 +107,14 @@ void drawViews(HeadlessViewer& viewer, osgEnvLight::LitScene& lit, const Argumen
         show(0.0, 0);
         viewer.setView(views[wanted[k]]);
         statistics.frames = 0;
-        draw(viewer, lit, a, statistics, show);
-        // Of several pictures --resume makes those that are not there: only whole ones are written.
-        if (!statistics.complete && wanted.size() > 1) throw std::runtime_error("interrupted before " + file);
+        const bool complete = draw(viewer, lit, a, statistics, show);
+        // --resume makes the pictures that are not there, so of several only complete ones are written.
+        if (!complete && wanted.size() > 1) throw std::runtime_error("interrupted before " + file);
         write(viewer, file);
+        if (!complete) return false;
         if (interrupted && k + 1 < wanted.size()) throw std::runtime_error("interrupted after " + file);
     }
+    return true;
 }
 
 int run(Arguments& a)
@@ -130,10 +132,10 @@ int run(Arguments& a)
     lit->setTimed(!a.statistics.empty());
     if (converges(a))
         for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, interrupt);
-    drawViews(viewer, *lit, a, statistics);
+    const bool complete = drawViews(viewer, *lit, a, statistics);
     std::string error;
     if (!a.statistics.empty() && !statistics.write(a.statistics, *lit, viewer.context(), error)) throw std::runtime_error(error);
-    if (!statistics.complete)
+    if (!complete)
         throw std::runtime_error("interrupted; " + a.output + " holds what " + std::to_string(statistics.frames) +
                                  " frames made");
     return 0;

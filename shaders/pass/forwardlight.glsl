@@ -264,10 +264,10 @@ vec3 mirrored(Bsdf b, vec3 ray, vec3 normal)
 }
 #endif
 
-// The light of the surfaces about: as the radiance that a white surface sends on of it, and their mean about the mirror direction.
+// Radiance that comes from the surfaces about.
 struct SurfacesAbout {
-    vec3 received;
-    vec3 mirrored;
+    vec3 received;  // what a white surface sends on of it
+    vec3 mirrored;  // its mean about the mirror direction
 };
 
 SurfacesAbout surfacesAbout(Surface s, float hidden)

@@ -94,8 +94,8 @@ int probeAt(ivec3 at)
     return (at.z * probeCount.y + at.y) * probeCount.x + at.x;
 }
 
-// lifted: the point, off its surface. A probe in or behind the plane of the surface may stand at a body's dark side. It counts little,
-// unless no other sees the point.
+// lifted: the point, moved off its surface. A probe in or behind the surface's plane may stand at the dark side of a body. Beside other
+// probes that see the point it counts little.
 float probeWeight(int probe, vec3 linear, vec3 point, vec3 lifted, vec3 n)
 {
     vec4 own = texelFetch(probePlaceMap, probeTexel(probe), 0);

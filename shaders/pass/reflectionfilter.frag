@@ -7,17 +7,12 @@
 #include "pass/blockers.glsl"
 #include "pass/lobeneighbours.glsl"
 #include "pass/pixelfog.glsl"
+#include "pass/toplight.glsl"
 #include "pass/toplobe.glsl"
 
 uniform sampler2D reflectionMap;
-uniform sampler2D specularTermMap;
-uniform sampler2D blockedLobeMap;
 #ifdef RAYS_MEET_ALL
 uniform sampler2D hiddenLobeMap;
-#endif
-#ifdef HAS_COATS
-uniform sampler2D coatTermMap;
-uniform sampler2D blockedCoatMap;
 #endif
 #ifdef HAS_FOG
 uniform sampler2D emissionMap;
@@ -65,20 +60,6 @@ vec4 cellMean(ivec2 p, float roughness, float level)
     return sum / max(all, 1e-6);
 }
 
-// What the map sends into the lobe on top, and what of it is hidden.
-struct LobeLight {
-    vec3 specular;
-    vec4 blocked;  // w: share
-};
-
-LobeLight topLight(ivec2 p)
-{
-#ifdef HAS_COATS
-    if (isCoated(p)) return LobeLight(texelFetch(coatTermMap, p, 0).rgb * radianceScale, texelFetch(blockedCoatMap, p, 0));
-#endif
-    return LobeLight(texelFetch(specularTermMap, p, 0).rgb * radianceScale, texelFetch(blockedLobeMap, p, 0));
-}
-
 vec3 meanAbout(ivec2 p, vec3 n)
 {
 #ifdef HAS_BLOCKERS
@@ -93,7 +74,8 @@ void main()
     ivec2 p = ivec2(gl_FragCoord.xy);
     TopLobe lobe = topLobe(p);
     float roughness = evenRoughness(lobe.bsdf);
-    LobeLight light = topLight(p);
+    TopLight light = topLight(p);
+    light.specular *= radianceScale;
     vec3 reflected = lobe.bsdf.reflected;
     vec3 mean = meanAbout(p, lobe.normal);
     float level = max(brightness(light.specular / max(reflected, vec3(1e-3))), brightness(mean));

@@ -21,12 +21,7 @@ uniform sampler2D emissionMap;
 #include "pass/scenecells.glsl"
 uniform mat4 atlasFromEye;  // to the origin of the triangles
 uniform float probeShare;   // of what surface points know, in the picture
-uniform sampler2D specularTermMap;
-uniform sampler2D blockedLobeMap;
-#ifdef HAS_COATS
-uniform sampler2D coatTermMap;
-uniform sampler2D blockedCoatMap;
-#endif
+#include "pass/toplight.glsl"
 #endif
 uniform float sceneRadius;
 uniform int reflectionSteps;
@@ -78,18 +73,9 @@ vec3 coneRadiance(ScreenHit hit, float tangent)
 }
 
 #ifdef HAS_SCENE_RAYS
-// Share of the pixel's light that depends on what hides the map. Below the first value no ray goes through the scene. Above the second
-// the ray's answer counts fully.
+// Share of the pixel's light that changes if the scene hides the map. Below the first value no ray goes through the scene. Above the
+// second the ray's answer counts fully.
 const vec2 TRACED_SHARE = vec2(0.05, 0.1);
-
-// What the map sends into the lobe on top, and which share of it the scene hides.
-vec4 mapInTopLobe(ivec2 p)
-{
-#ifdef HAS_COATS
-    if (isCoated(p)) return vec4(texelFetch(coatTermMap, p, 0).rgb, texelFetch(blockedCoatMap, p, 0).a);
-#endif
-    return vec4(texelFetch(specularTermMap, p, 0).rgb, texelFetch(blockedLobeMap, p, 0).a);
-}
 
 // One ray tells all about a sharp lobe. Coats are left out: no pass keeps what the scene takes from them.
 bool hasSharpLobe(ivec2 p, Bsdf b)
@@ -100,13 +86,14 @@ bool hasSharpLobe(ivec2 p, Bsdf b)
     return evenRoughness(b) < NARROW_ROUGHNESS;
 }
 
-// How much the answer of a ray through the scene counts: by what the lobe reflects of the scene, or, where the pixel is dark beside the
-// map, by how much of its light the map in the lobe is.
+// How much the answer of a ray through the scene counts. Strong lobes need it. A weak lobe needs it if the map's reflection is much of
+// the light of a dark pixel.
 float tracedShare(ivec2 p, Bsdf b)
 {
-    vec4 map = mapInTopLobe(p);
-    float hidden = map.a > 0.0 && hasSharpLobe(p, b) ? 1.0 : map.a;  // all of it or nothing; lights nearby do not tell which
-    float mirrored = radianceScale * dot(map.rgb, vec3(1.0)) / max(dot(texelFetch(radianceMap, p, 0).rgb, vec3(1.0)), 1e-20);
+    TopLight light = topLight(p);
+    float hidden = light.blocked.w;
+    if (hidden > 0.0 && hasSharpLobe(p, b)) hidden = 1.0;  // the scene hides all of it or nothing; lights nearby do not tell which
+    float mirrored = radianceScale * dot(light.specular, vec3(1.0)) / max(dot(texelFetch(radianceMap, p, 0).rgb, vec3(1.0)), 1e-20);
     float reflected = max(b.reflected.r, max(b.reflected.g, b.reflected.b));
     return smoothstep(TRACED_SHARE.x, TRACED_SHARE.y, hidden * max(reflected, min(mirrored, 1.0)));
 }

@@ -160,8 +160,8 @@ TEST(Probes, LittleLightComesThroughWalls)
     }
 }
 
-// The taller box of the Cornell box stands askew. Probes within it move out, some to its dark side, where the places of its
-// bright side that lie near an edge see them at a grazing angle.
+// The taller box of the Cornell box stands askew. Probes inside it are moved out, some to its dark side. Places near an edge of
+// its bright side see these at a grazing angle.
 TEST(Probes, ABoxThatStandsAskewHasNoSpots)
 {
     const suite::SuiteScene scene = suite::makeScene("cornell");
@@ -186,7 +186,7 @@ TEST(Probes, ABoxThatStandsAskewHasNoSpots)
             least = std::min(least, sum / expected);
             most = std::max(most, sum / expected);
         }
-    // Measured .84 and 1.20, beside the shorter box; with a weight for probes behind the surface .50.
+    // Measured .84 and 1.20, beside the shorter box; .50 if probes behind the surface count as others do.
     EXPECT_GT(least, 0.8);
     EXPECT_LT(most, 1.25);
 }

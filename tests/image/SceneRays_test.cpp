@@ -134,8 +134,8 @@ TEST(SceneRays, LobesShowLitWallsBehindTheEye)
     }
 }
 
-// A black floor reflects little, and yet all that one sees of it is reflected. tRMSE beside full light transport, measured: .070
-// with rays, .098 without.
+// A black floor sends only what it mirrors, little as that is. tRMSE beside full light transport, measured: .070 with rays, .098
+// without.
 TEST(SceneRays, ABlackPolishedFloorShowsAPostBeyondThePicture)
 {
     const osg::ref_ptr<LitScene> lit = makeScene(constantMap(1.0).get());

@@ -179,11 +179,12 @@ void ForwardPass::setup(PassBuilder& b, FrameContext& c)
         addPlace("sceneLightMapsFromEye", c.sceneLightMaps->origin());
     }
     if (b.read("bounce", "bounceMap")) b.define("HAS_BOUNCE");
-    if (!c.indirect) return;
-    b.define("HAS_PROBES");
-    readProbes(b, *c.indirect);
-    b.frameUniforms(&c.frame.probeState(c.indirect->share));
-    addPlace("probesFromEye", c.indirect->scene->origin);
+    if (c.indirect) {
+        b.define("HAS_PROBES");
+        readProbes(b, *c.indirect);
+        b.frameUniforms(&c.frame.probeState(c.indirect->share));
+        addPlace("probesFromEye", c.indirect->scene->origin);
+    }
 }
 
 }  // namespace osgEnvLight
