@@ -62,6 +62,8 @@ const std::vector<Sweep>& defaultSweeps()
         {"reflectionSteps", {"4", "8", "16", "32", "64"}, {}, Sweep::SPECULAR, false},
         {"bounce", {"off", "mean", "probes"}, {}, Sweep::FULL_TRANSPORT, true},
         {"bounceProbes", {"4", "6", "8", "12", "16"}, {}, Sweep::FULL_TRANSPORT, false},
+        {"bounceNear", {"off", "auto", "on"}, {}, Sweep::FULL_TRANSPORT, false},
+        {"bounceNearDistance", {"0.25", "0.5", "1", "2"}, {}, Sweep::FULL_TRANSPORT, false},
     };
     return sweeps;
 }

@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // The light that a pixel gets from other surfaces, as the radiance that a white surface would send on of it. Where the pixel has a lobe,
-// also their radiance about the mirror direction. In units of the map's mean.
+// also their radiance about the mirror direction. In units of the map's mean. Alpha: the share of directions in which they send it.
 #pragma import_defines(HAS_LOBES, HAS_BOUNCE, HAS_CAUSTICS)
 
 #include "pass/gbuffer.glsl"
@@ -31,14 +31,15 @@ void main()
     vec3 normal = turn * n;
     ProbesAbout probes = probesAbout(vec3(atlasFromEye * vec4(pixelEye(p), 1.0)), normal, turn * -ray);
     float hidden = 1.0 - ambientVisibility(p);
-    vec3 about = receivedFrom(sentAbout(probes, normal), hidden);
+    SentAbout sent = sentAbout(probes, normal);
+    vec3 about = receivedFrom(sent, hidden);
 #ifdef HAS_BOUNCE
     about = mix(hidden * meanRadiance(n) / radianceScale, about, probeShare);
 #endif
 #ifdef HAS_CAUSTICS
     about += float(LIGHT_GROUPS) * texelFetch(causticMap, p, 0).rgb;
 #endif
-    received = vec4(about, 1.0);
+    received = vec4(about, sendingShare(sent, hidden));
 #ifdef HAS_LOBES
     mirrored = vec4(0.0);
     if (pixelBrdf(p) == BRDF_LAMBERT) return;

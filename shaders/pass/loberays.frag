@@ -6,6 +6,7 @@
 // the map that the first frame saw [pass/lobeshown.glsl]. The ray adds L (1 - V) if it meets nothing, else -L V: the mean corrects S.
 #pragma import_defines(HAS_AREA_LIGHTS, MAP_IS_BLACK)
 #include "lib/lobesample.glsl"
+#include "pass/pixelof.glsl"
 #include "pass/pixelray.glsl"
 #include "pass/lightmark.glsl"
 #include "pass/lobeshown.glsl"
@@ -72,19 +73,6 @@ vec3 mapLight(Bsdf b, LobeSample s, vec3 d)
     return filtered(d, lodOfUnitDensity(float(specularSamples) * sampleFrames) - 0.5 * log2(max(s.density, 1e-10)));
 }
 #endif
-
-// The pixel that shows a place in eye space on a surface with normal n; negative where none does.
-ivec2 pixelOf(vec3 eye, vec3 n)
-{
-    vec4 clip = projection * vec4(eye, 1.0);
-    vec2 at = (clip.xy / clip.w * 0.5 + 0.5) * viewportSize;
-    if (clip.w <= 0.0 || min(at.x, at.y) < 0.0 || at.x >= viewportSize.x || at.y >= viewportSize.y) return ivec2(-1);
-    ivec2 q = ivec2(at);
-    float depth = texelFetch(depthMap, q, 0).r;
-    if (depth >= 1.0 || dot(pixelNormal(q), n) < 0.5) return ivec2(-1);
-    PixelPlane plane = pixelPlane(eye, n, 1.5 * pixelFootprint(inverseProjection, pixelNdc(q), depth, viewportSize));
-    return abs(planeDistance(plane, q, depth)) < 1.0 ? q : ivec2(-1);
-}
 
 void main()
 {

@@ -229,11 +229,17 @@ SentAbout sentAbout(ProbesAbout about, vec3 d)
     return SentAbout(sum.rgb / max(max(sum.a, 0.05 * weights), 1e-20), sum.a / max(weights, 1e-20));
 }
 
-// The radiance that a white surface sends on of what others send to it. hidden: the share of directions in which it does not see the map.
-// That decides how much it is; the probes, which lie beside the surface, say of what colour.
+// The share of directions in which surfaces send light to one. hidden: that in which it does not see the map. This decides how much the
+// surface receives; the probes, which lie beside it, say of what colour.
+float sendingShare(SentAbout sent, float hidden)
+{
+    return min(4.0 * max(sent.share, 0.05), hidden);
+}
+
+// The radiance that a white surface sends on of what others send to it.
 vec3 receivedFrom(SentAbout sent, float hidden)
 {
-    return min(4.0 * max(sent.share, 0.05), hidden) * sent.radiance;
+    return sendingShare(sent, hidden) * sent.radiance;
 }
 
 #endif

@@ -3,13 +3,13 @@
 #ifndef SCENECELLS_GLSL
 #define SCENECELLS_GLSL
 
+#include "pass/radiancescale.glsl"
 #include "pass/tracedscene.glsl"
 
 uniform sampler2D cellLightMap;  // facings side by side, of each the cells; layers one over the other
 uniform vec3 cellsLow;
 uniform float cellWidth;
 uniform ivec3 cellCount;
-uniform float radianceScale;
 
 // In a layer of cells, between the four about a place.
 vec4 layerLight(int facing, int layer, vec2 at)

@@ -5,13 +5,13 @@
 #pragma import_defines(HAS_DIFFUSE, HAS_SUNS, HAS_SUN_SHADOWS, HAS_OCCLUSION, COMBINE_SUBTRACT)
 
 #include "pass/hostcolor.glsl"
+#include "pass/radiancescale.glsl"
 
 uniform sampler2D diffuseTermMap;
 uniform sampler2D sunDiffuseMap;
 uniform sampler2D sunShadedMap;
 uniform sampler2D occlusionTermMap;
 uniform sampler2D emissionMap;  // times 2^baseStops: what is typed as a colour fits half floats under any map
-uniform float radianceScale;    // the map's mean radiance times its intensity
 
 vec3 emitted(ivec2 p)
 {

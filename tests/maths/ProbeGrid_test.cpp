@@ -84,6 +84,7 @@ TEST(ProbeGrid, LinksAreThePointsThatItSees)
         EXPECT_LT((place.position + to * hit->distance - p.position).length(), 2.0f * spacing);
         EXPECT_LT(p.normal * to, 0.0f) << "the side that faces it";
     }
+    EXPECT_EQ(0.0, room.grid.openShare());
 }
 
 TEST(ProbeGrid, SeesTheSkyOverAPlane)
@@ -97,6 +98,7 @@ TEST(ProbeGrid, SeesTheSkyOverAPlane)
         if (std::max(std::abs(p.x()), std::abs(p.y())) > 60.0f) continue;
         EXPECT_NEAR(0.5, probed.shareOf(i, ProbeGrid::SKY), 0.1);
     }
+    EXPECT_NEAR(0.5, probed.grid.openShare(), 0.1);
 }
 
 // What lies within a body stands for nothing: others take its place.

@@ -279,14 +279,23 @@ TEST_F(FrameGraphTest, EveryPassIsInThePlan)
 {
     osg::ref_ptr<WithPasses> lit = makeScene();
     renderer.render(lit, 1);
-    for (const char* pass :
-         {"background",   "gbuffer",    "pixelmarks",   "penumbrae",      "scenelights",     "seen",        "atlas",
-          "stillmaps",    "suns",       "sunmap",       "sunshadow",      "sunfilter",       "diffuse",     "occlusion",
-          "filterrows",   "filter",     "specular",     "loberows",       "lobes",           "reflections", "reflectionfilter",
-          "bounce",       "bouncesum",  "links",        "points",         "bounces",         "indirect",    "resolve",
-          "accumulate",   "stillerror", "display",      "composite",      "forward",         "areamaps",    "areashadow",
-          "arearows",     "areafilter", "arealights",   "scenelightmaps", "glossyocclusion", "sunquads",    "gather",
-          "gatherfilter", "loberays",   "loberaylight", "loberayfilter",  "temporal",        "motion",      "lighttotals"})
+    for (const char* pass : {"background",      "gbuffer",     "pixelmarks",
+                             "penumbrae",       "scenelights", "seen",
+                             "atlas",           "stillmaps",   "suns",
+                             "sunmap",          "sunshadow",   "sunfilter",
+                             "diffuse",         "occlusion",   "filterrows",
+                             "filter",          "specular",    "loberows",
+                             "lobes",           "reflections", "reflectionfilter",
+                             "bounce",          "bouncesum",   "links",
+                             "points",          "bounces",     "indirect",
+                             "resolve",         "accumulate",  "stillerror",
+                             "display",         "composite",   "forward",
+                             "areamaps",        "areashadow",  "arearows",
+                             "areafilter",      "arealights",  "scenelightmaps",
+                             "glossyocclusion", "sunquads",    "gather",
+                             "gatherfilter",    "loberays",    "loberaylight",
+                             "loberayfilter",   "temporal",    "motion",
+                             "lighttotals",     "nearlight",   "nearlightfilter"})
         EXPECT_NE("", lit->plan().reason(pass)) << pass;
 }
 

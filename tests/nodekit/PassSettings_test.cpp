@@ -133,6 +133,7 @@ osg::ref_ptr<WatchedScene> makeScene()
     s.atlasSize = s.accumulateSize = 16;
     s.sunShadowSize = 64;
     s.bounceProbes = fewestProbes;
+    s.bounceNear = Settings::NEAR_ON;
     const osg::ref_ptr<osg::Geode> phong = makeSphere(osg::Vec3d(-0.5, 0, 0), 0.5, 16);
     osgEnvLight::Material::setPhong(*phong->getOrCreateStateSet(), osg::Vec3f(), osg::Vec3f(0.5f, 0.5f, 0.5f), 20.0f);
     lit->addChild(phong);

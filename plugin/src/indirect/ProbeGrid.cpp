@@ -233,6 +233,14 @@ ProbeGrid::ProbeGrid(const TracedScene& scene, const CasterBvh& bvh, const Neare
     for (const Level& level : levels) addLevel(scene, bvh, nearest, level, stop);
 }
 
+double ProbeGrid::openShare() const
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < links.size(); ++i)
+        if (links[i] == SKY) sum += double(directions()[i % directions().size()].share);
+    return probes() > 0 ? sum / double(probes()) : 1.0;
+}
+
 void ProbeGrid::addLevel(const TracedScene& scene, const CasterBvh& bvh, const NearestPoint& nearest, const Level& level,
                          const std::atomic<bool>* stop)
 {

@@ -23,9 +23,25 @@ const float beyond = 1e30f;  // cells: no surface lies there
 
 const float ofOthers = 0.02f;  // what a probe counts that stands for one within a body: only where there is none else
 
+// Between probes side by side: of the medians along the three axes the middle one.
+double spacingOf(const ProbeGrid::Planes& planes)
+{
+    std::array<double, 3> medians{};
+    for (size_t k = 0; k < 3; ++k) {
+        std::vector<float> gaps;
+        for (size_t i = 1; i < planes[k].size(); ++i) gaps.push_back(planes[k][i] - planes[k][i - 1]);
+        if (gaps.empty()) continue;
+        const auto middle = gaps.begin() + std::ptrdiff_t(gaps.size() / 2);
+        std::nth_element(gaps.begin(), middle, gaps.end());
+        medians[k] = double(*middle);
+    }
+    std::sort(medians.begin(), medians.end());
+    return medians[1];
+}
+
 }  // namespace
 
-TransportScene::TransportScene(const TracedScene& scene, const osg::Vec3d& place, int most, bool traced,
+TransportScene::TransportScene(const TracedScene& scene, const osg::Vec3d& place, int most, double traced,
                                const TransportFocus& view, const std::atomic<bool>* stop)
     : origin(place), triangles(scene.triangles.size())
 {
@@ -37,7 +53,9 @@ TransportScene::TransportScene(const TracedScene& scene, const osg::Vec3d& place
     if (stop && *stop) return;
     const auto partsPerPoint = unsigned(partSide * partSide);
     const std::vector<SurfacePart> parts = placeSurfaceParts(scene, points, nearest, partsPerPoint, view);
-    if (traced && triangles <= SceneRays::mostTriangles) rays = new SceneRays(scene, bvh, parts, partsPerPoint);
+    openShare = grid.openShare();
+    if (traced > 0.0 && openShare <= traced && triangles <= SceneRays::mostTriangles)
+        rays = new SceneRays(scene, bvh, parts, partsPerPoint);
     double area = 0.0;
     for (size_t i = 0; i < triangles; ++i)
         if (const double a = scene.area(i); std::isfinite(a)) area += a;
@@ -86,6 +104,7 @@ void TransportScene::writeLevels(const std::vector<ProbeGrid::Level>& levels)
         for (size_t i = 0; i < whole[k].size(); ++i) planes->setElement(unsigned(k * limits::MOST_PROBES + i), whole[k][i]);
     }
     array("probeCount", osg::Uniform::INT_VEC3, 1)->set(count[0], count[1], count[2]);
+    uniforms->addUniform(new osg::Uniform("probeSpacing", float(spacingOf(levels.back().planes))));
     lattices = int(levels.size()) - 1;
     if (lattices == 0) return;
     osg::Uniform* places = array("probeLattices", osg::Uniform::FLOAT_VEC4, limits::PROBE_LATTICES);

@@ -20,9 +20,9 @@ class OSGENVLIGHT_EXPORT TransportScene : public osg::Referenced
      * @param view    about the same
      * @param origin  of the scene, in the world
      * @param most    as of ProbeGrid
-     * @param traced  rays are to meet it
+     * @param traced  rays are to meet it if openShare is that at most; 0: none are
      * @param stop    set by another thread: empty() */
-    TransportScene(const TracedScene& scene, const osg::Vec3d& origin, int most, bool traced, const TransportFocus& view = {},
+    TransportScene(const TracedScene& scene, const osg::Vec3d& origin, int most, double traced, const TransportFocus& view = {},
                    const std::atomic<bool>* stop = nullptr);
 
     /** There is no surface that could send light on, or it was stopped. */
@@ -34,7 +34,8 @@ class OSGENVLIGHT_EXPORT TransportScene : public osg::Referenced
     std::array<int, 3> count{};  // probes along each axis, of each level
     int lattices = 0;            // levels about the view, besides that of all the scene
     int probes() const { return (1 + lattices) * count[0] * count[1] * count[2]; }
-    int columns = 0;  // probes side by side in the textures of probes
+    double openShare = 1.0;  // of directions in which the probes see no surface
+    int columns = 0;         // probes side by side in the textures of probes
 
     // POINT_SIDE x POINT_SIDE, one texel a point: position; normal and 1.
     osg::ref_ptr<osg::Texture2D> pointPlaces, pointNormals;

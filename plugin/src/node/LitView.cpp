@@ -9,6 +9,7 @@
 #include "passes/Links.h"
 #include "passes/LobeRays.h"
 #include "passes/Motion.h"
+#include "passes/NearLight.h"
 #include "passes/Occlusion.h"
 #include "passes/Output.h"
 #include "passes/PixelMarks.h"
@@ -65,6 +66,8 @@ LitView::LitView(Failure* failure, RetiredObjects* retired, SurfaceSorter* sorte
     graph.add(new CausticRowsPass);
     graph.add(new CausticFilterPass);
     graph.add(new IndirectPass);
+    graph.add(new NearLightPass);
+    graph.add(new NearLightFilterPass);
     graph.add(new BackgroundPass);
     graph.add(new ResolvePass);
     graph.add(new ReflectionsPass);

@@ -7,6 +7,7 @@
 #include "indirect/ReflectiveMaps.h"
 #include "passes/Inputs.h"
 #include "passes/Links.h"
+#include "passes/NearLight.h"
 
 #include <osg/Depth>
 
@@ -225,7 +226,8 @@ void IndirectPass::setup(PassBuilder& b, FrameContext& c)
 {
     const IndirectLight& light = *c.indirect;
     const bool lobes = c.facts.surfaces.hasLobes() && c.settings.specular && lobesShowScene(c);
-    const TextureId received = b.create("indirect", ofFirstFrame(c, GL_RGBA16F_ARB));
+    const bool isMixed = requireNearLight(c).needed;  // with what is near
+    const TextureId received = isMixed ? b.create("probe light") : b.create("indirect", ofFirstFrame(c, GL_RGBA16F_ARB));
     const TextureId mirrored = lobes ? b.create("mirrored", ofFirstFrame(c, GL_RGBA16F_ARB)) : TextureId();
     if (c.hasFirstFrame()) {
         b.keepContents();
@@ -237,7 +239,7 @@ void IndirectPass::setup(PassBuilder& b, FrameContext& c)
     b.define("HAS_OCCLUSION");
     if (light.share < 1.0 && b.read("bounce", "bounceMap")) b.define("HAS_BOUNCE");
     b.frameUniforms(&c.frame.probeState(light.share));
-    if (b.read("caustics", "causticMap")) b.define("HAS_CAUSTICS");
+    if (!isMixed && b.read("caustics", "causticMap")) b.define("HAS_CAUSTICS");
     b.shadowOrigin(light.scene->origin);
     drawSurfaces(b);
     b.write(received);

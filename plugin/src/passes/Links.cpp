@@ -3,8 +3,10 @@
 
 #include "base/Limits.h"
 #include "passes/Gather.h"
+#include "passes/NearLight.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace osgEnvLight
 {
@@ -45,7 +47,7 @@ void LinksPass::update(FrameContext& c)
     if (_lost.exchange(false)) _light.fresh = true;
     const StaticCasters& casters = c.skyMaps->still();
     if (const osg::ref_ptr<TransportScene> made = _worker.take()) accept(made);
-    Wanted wanted{c.skyMaps, casters.generation(), c.settings.bounceProbes, wantsRays(c), focusOf(c)};
+    Wanted wanted{c.skyMaps, casters.generation(), c.settings.bounceProbes, traced(c), focusOf(c)};
     // A view that keeps moving gets what it is waiting for.
     if (_worker.busy() && wanted.isOfSameCasters(_wanted)) wanted.focus = _wanted.focus;
     if (!(wanted == _wanted)) makeScene(c, wanted);
@@ -91,6 +93,12 @@ bool LinksPass::wantsRays(const FrameContext& c)
     return (_hasMirrors &&
             (c.settings.reflections == Settings::REFLECTIONS_SCENE || c.settings.caustics != Settings::CAUSTICS_OFF)) ||
            gathers(c.settings);
+}
+
+// As TransportScene takes it.
+double LinksPass::traced(const FrameContext& c)
+{
+    return wantsRays(c) ? 1.0 : mostOpenForNearLight(c.settings);
 }
 
 void LinksPass::makeScene(const FrameContext& c, const Wanted& wanted)
@@ -177,7 +185,8 @@ void LinksPass::setup(PassBuilder&, FrameContext& c)
     c.remark(
         ", " + std::to_string(limits::POINT_SIDE * limits::POINT_SIDE) + " points, " + std::to_string(scene.count[0]) + " x " +
         std::to_string(scene.count[1]) + " x " + std::to_string(scene.count[2]) + " probes" +
-        (scene.lattices > 0 ? ", and as many in each of " + counted(size_t(scene.lattices), "grid") + " about the view" : ""));
+        (scene.lattices > 0 ? ", and as many in each of " + counted(size_t(scene.lattices), "grid") + " about the view" : "") +
+        ", that see the map in " + std::to_string(int(std::lround(100.0 * scene.openShare))) + " % of directions");
 }
 
 void LinksPass::dismiss(FrameContext& c)
