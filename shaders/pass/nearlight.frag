@@ -3,14 +3,14 @@
 // What surfaces close to a pixel send to it, first part: one ray a pixel, in another of 16 directions at each pixel of a 4x4 cell. The
 // colour is the radiance that a white surface would send on, in units of the map's mean. Alpha is the share of directions, by the cosine,
 // that these surfaces fill.
-#pragma import_defines(HAS_AREA_LIGHTS)
+#pragma import_defines(HAS_LAMPS)
 #include "lib/frame.glsl"
 #include "lib/phong.glsl"
 #include "lib/sequence.glsl"
 #include "pass/pixelof.glsl"
 #include "pass/scenecells.glsl"
 #include "pass/terms.glsl"
-#ifdef HAS_AREA_LIGHTS
+#ifdef HAS_LAMPS
 #include "pass/lightmark.glsl"
 #endif
 
@@ -23,22 +23,38 @@ layout(location = 0) out vec4 near;
 
 const float LEAST_HIDDEN = 0.02;  // share of directions in which a pixel does not see the map; below it no ray is worth its time
 
-// What a pixel's Lambert layer sends.
+// The lobe of what reflects more sends too much of its light elsewhere than to the eye.
+const float MOST_GLOSSY = 0.1;
+
+// Whether a pixel sends to all sides what it sends to the eye.
+bool sendsEvenly(ivec2 q)
+{
+    if (pixelBrdf(q) == BRDF_LAMBERT) return true;
+#ifdef HAS_LAMPS
+    return false;  // what lobes reflect of lamps is in emissionMap
+#else
+    vec3 f0 = pixelF0(q);
+    return max(f0.r, max(f0.g, f0.b)) < MOST_GLOSSY;
+#endif
+}
+
+// What its Lambert layer sends.
 vec3 sentRadiance(ivec2 q)
 {
     vec3 reflectance = pixelAlbedo(q) * texelFetch(diffuseTermMap, q, 0).a;
     vec3 sent = sunShaded(q) + occludedDiffuse(q) + radianceScale * reflectance * texelFetch(probeLightMap, q, 0).rgb;
-#ifdef HAS_AREA_LIGHTS
-    if (isAreaLight(emissionMap, q)) return sent;
+#ifdef HAS_LAMPS
+    if (isAreaLight(emissionMap, q)) return sent;  // what area lights send is a term of its own
 #endif
     return emitted(q) + sent;
 }
 
-// What is met, as the picture shows it. Surfaces that it does not show have the light of their cells, which are wider than what is near.
+// What is met, as the picture shows it. Where it does not, surfaces have the light of their cells, which are wider than what is near.
 vec4 radianceOf(SceneHit met, vec3 eye, vec3 place)
 {
     ivec2 q = pixelOf(eye, transpose(mat3(atlasFromEye)) * normalize(met.normal));
-    return q.x >= 0 ? vec4(sentRadiance(q), 1.0) : sceneRadiance(met, place);
+    if (q.x >= 0 && sendsEvenly(q)) return vec4(sentRadiance(q), 1.0);
+    return sceneRadiance(met, place);
 }
 
 void main()

@@ -47,7 +47,7 @@ void NearLightPass::setup(PassBuilder& b, FrameContext& c)
     const IndirectLight& light = *c.indirect;
     b.readGBuffer();
     readDiffuseTerms(b, c);
-    b.define("HAS_AREA_LIGHTS", c.facts.areaLights > 0);
+    b.define("HAS_LAMPS", c.facts.hasLamps());
     b.read(b.find("probe light"), "probeLightMap");
     b.settings<BounceSettings>();
     readTracedScene(b, light);
@@ -56,7 +56,7 @@ void NearLightPass::setup(PassBuilder& b, FrameContext& c)
     b.frameUniforms(light.scene->uniforms);
     b.shadowOrigin(light.scene->origin);
     drawSurfaces(b);
-    b.write(b.create("near light"));
+    b.write(b.create("near light", {GL_RGBA32F_ARB}));  // what glows beside a pixel may exceed half floats
 }
 
 Requirement NearLightFilterPass::require(const FrameContext& c) const

@@ -10,6 +10,7 @@ namespace osgEnvLight
 /** The share of directions in which the probes of a scene may see the map, for rays to look for surfaces close by. 0: none do. */
 double mostOpenForNearLight(const Settings& settings);
 
+/** Whether these passes run. */
 Requirement requireNearLight(const FrameContext& context);
 
 /** What surfaces close to a pixel send to it, by a ray a pixel. Probes are farther apart than that: they mix the light of such a
