@@ -77,6 +77,11 @@ TEST(NearLight, AGapBelowABoardIsDark)
         // One of 16 directions more or fewer is .06. Measured: .05 before the edge, .14 below the board.
         for (const double under : {-0.3, -0.2, -0.12, -0.06, -0.03, 0.0, 0.03, 0.06, 0.1})
             EXPECT_NEAR(1.0 - boardFactor(under), lightUnder(renderer, picture, under), under <= 0.0 ? 0.06 : 0.15) << under;
+        // Finer grids of probes follow a view of a small part.
+        renderer.viewer().getCamera()->setProjectionMatrixAsPerspective(2.0, 1.0, 0.05, 100.0);
+        const Picture close = renderer.render(lit, 16);
+        EXPECT_NE(std::string::npos, lit->plan().reason("links").find("grids about the view")) << lit->plan().reason("links");
+        EXPECT_NEAR(1.0 - boardFactor(0.0), lightUnder(renderer, close, 0.0), 0.06);
     }
 }
 

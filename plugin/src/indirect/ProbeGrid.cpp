@@ -235,10 +235,12 @@ ProbeGrid::ProbeGrid(const TracedScene& scene, const CasterBvh& bvh, const Neare
 
 double ProbeGrid::openShare() const
 {
+    const Planes& planes = levels.front().planes;
+    const size_t count = planes[0].size() * planes[1].size() * planes[2].size(), last = count * directions().size();
     double sum = 0.0;
-    for (size_t i = 0; i < links.size(); ++i)
+    for (size_t i = 0; i < std::min(last, links.size()); ++i)
         if (links[i] == SKY) sum += double(directions()[i % directions().size()].share);
-    return probes() > 0 ? sum / double(probes()) : 1.0;
+    return sum / double(count);
 }
 
 void ProbeGrid::addLevel(const TracedScene& scene, const CasterBvh& bvh, const NearestPoint& nearest, const Level& level,

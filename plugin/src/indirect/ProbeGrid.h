@@ -31,7 +31,7 @@ struct OSGENVLIGHT_EXPORT ProbeGrid {
     static const std::vector<Direction>& directions();
 
     size_t probes() const { return places.size(); }
-    /** In which share of directions the probes see no surface, as a mean. */
+    /** In which share of directions the probes of all the scene see no surface, as a mean. */
     double openShare() const;
 
     using Planes = std::array<std::vector<float>, 3>;
