@@ -31,6 +31,7 @@ void main()
     ivec2 p = ivec2(gl_FragCoord.xy);
     vec4 probes = texelFetch(probeLightMap, p, 0);
     bool any = hasNear(p);
+    // Where both sides of a condition are evaluated, the mean's loops have no turn.
     vec4 near = any ? cellMean(nearLightMap, p, any ? 2 : -1) : vec4(0.0);
     float far = max(probes.a - near.a, 0.0) / max(probes.a, 1e-4);
     received = vec4(mix(probes.rgb, far * probes.rgb + near.rgb, probeShare), 1.0);
