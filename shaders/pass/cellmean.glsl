@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The mean of a map over whole 4x4 cells about a pixel, where they show one surface.
+// The mean of a map over whole 4x4 cells about a pixel. Pixels that show another surface are left out.
 #ifndef CELLMEAN_GLSL
 #define CELLMEAN_GLSL
 

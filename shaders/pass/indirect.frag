@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // The light that a pixel gets from other surfaces, as the radiance that a white surface would send on of it. Where the pixel has a lobe,
-// also their radiance about the mirror direction. In units of the map's mean. Alpha: the share of directions in which they send it.
+// also their radiance about the mirror direction. In units of the map's mean. Alpha: the share of directions from which they send it.
 #pragma import_defines(HAS_LOBES, HAS_BOUNCE, HAS_CAUSTICS)
 
 #include "pass/gbuffer.glsl"

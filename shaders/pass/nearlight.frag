@@ -1,8 +1,8 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// What surfaces close to a pixel send to it, first part: one ray a pixel, in another of 16 directions at each pixel of a 4x4 cell. The
-// colour is the radiance that a white surface would send on, in units of the map's mean. Alpha is the share of directions, by the cosine,
-// that these surfaces fill.
+// First part of the light that surfaces close to a pixel send to it. Each pixel traces one ray. The 16 pixels of a 4x4 cell trace theirs in
+// different directions. The colour is the radiance that a white surface would send on, in units of the map's mean. Alpha is the
+// cosine-weighted share of directions that these surfaces fill.
 #pragma import_defines(HAS_LAMPS)
 #include "lib/frame.glsl"
 #include "lib/phong.glsl"
@@ -21,9 +21,9 @@ uniform float probeSpacing;
 
 layout(location = 0) out vec4 near;
 
-const float LEAST_HIDDEN = 0.02;  // share of directions in which a pixel does not see the map; below it no ray is worth its time
-
-// The lobe of what reflects more sends too much of its light elsewhere than to the eye.
+// A pixel that does not see the map in a smaller share of directions traces no ray: the ray would change little.
+const float LEAST_HIDDEN = 0.02;
+// A lobe that reflects a larger share sends too much of its light elsewhere than to the eye.
 const float MOST_GLOSSY = 0.1;
 
 // Whether a pixel sends to all sides what it sends to the eye.
@@ -38,7 +38,7 @@ bool sendsEvenly(ivec2 q)
 #endif
 }
 
-// What its Lambert layer sends.
+// What the Lambert layer of a pixel sends.
 vec3 sentRadiance(ivec2 q)
 {
     vec3 reflectance = pixelAlbedo(q) * texelFetch(diffuseTermMap, q, 0).a;
@@ -49,7 +49,8 @@ vec3 sentRadiance(ivec2 q)
     return emitted(q) + sent;
 }
 
-// What is met, as the picture shows it. Where it does not, surfaces have the light of their cells, which are wider than what is near.
+// The radiance of what a ray meets. The picture knows that of surfaces that it shows. The cells know that of all surfaces, but less
+// exactly: a cell is wider than what is near.
 vec4 radianceOf(SceneHit met, vec3 eye, vec3 place)
 {
     ivec2 q = pixelOf(eye, transpose(mat3(atlasFromEye)) * normalize(met.normal));
@@ -66,10 +67,11 @@ void main()
     vec3 n = pixelNormal(p);
     vec3 eye = eyeFromDepth(inverseProjection, ndc, depth);
     vec3 facet = pixelFacet(p, eye, n, footprint);
-    // Also towards the eye: there is no other surface, where in a corner one touches the pixel's own.
+    // The ray begins off the surface, and nearer to the eye. In a corner the point off the surface may lie in the other wall, but nothing
+    // lies between the pixel and the eye.
     eye += (footprint + length(depthStep(inverseProjection, ndc, depth))) * (n - viewRay(inverseProjection, ndc));
     mat3 turn = mat3(atlasFromEye);
-    // In the world: the directions do not turn with the view.
+    // The frame is built in the world, so the directions do not turn with the view.
     vec3 along = frameAround(turn * n) * phongSample(1.0, cellPoint(0, float(bayer4(p.x, p.y)), 1) + vec2(1.0 / 32.0));
     vec3 origin = vec3(atlasFromEye * vec4(eye, 1.0));
     // Normals that were smoothed over edges lean: a ray may begin behind the plane of its own surface.

@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// What surfaces close to a pixel send to it, second part: the mean over a cell, whose 16 pixels look in different directions. It takes the
-// place of that share of what the probes say.
+// Second part of the light that surfaces close to a pixel send to it: the mean over a cell, whose 16 pixels trace rays in different
+// directions. These surfaces fill a share of the directions. In that share the mean replaces the light of the probes.
 #pragma import_defines(HAS_CAUSTICS)
 
 #include "pass/cellmean.glsl"
@@ -31,7 +31,7 @@ void main()
     ivec2 p = ivec2(gl_FragCoord.xy);
     vec4 probes = texelFetch(probeLightMap, p, 0);
     bool any = hasNear(p);
-    // Where both sides of a condition are evaluated, the mean's loops have no turn.
+    // Some hardware evaluates both sides of the condition. With -1 the loops of the mean make no turn there.
     vec4 near = any ? cellMean(nearLightMap, p, any ? 2 : -1) : vec4(0.0);
     float far = max(probes.a - near.a, 0.0) / max(probes.a, 1e-4);
     received = vec4(mix(probes.rgb, far * probes.rgb + near.rgb, probeShare), 1.0);

@@ -229,8 +229,8 @@ SentAbout sentAbout(ProbesAbout about, vec3 d)
     return SentAbout(sum.rgb / max(max(sum.a, 0.05 * weights), 1e-20), sum.a / max(weights, 1e-20));
 }
 
-// The share of directions in which surfaces send light to one. hidden: that in which it does not see the map. This decides how much the
-// surface receives; the probes, which lie beside it, say of what colour.
+// The share of directions from which other surfaces send light to a surface. hidden: the share in which the surface does not see the map.
+// This share decides how much light the surface receives. The probes, which lie beside the surface, decide its colour.
 float sendingShare(SentAbout sent, float hidden)
 {
     return min(4.0 * max(sent.share, 0.05), hidden);

@@ -41,7 +41,7 @@ double spacingOf(const ProbeGrid::Planes& planes)
 
 }  // namespace
 
-TransportScene::TransportScene(const TracedScene& scene, const osg::Vec3d& place, int most, double traced,
+TransportScene::TransportScene(const TracedScene& scene, const osg::Vec3d& place, int most, double mostOpen,
                                const TransportFocus& view, const std::atomic<bool>* stop)
     : origin(place), triangles(scene.triangles.size())
 {
@@ -54,7 +54,7 @@ TransportScene::TransportScene(const TracedScene& scene, const osg::Vec3d& place
     const auto partsPerPoint = unsigned(partSide * partSide);
     const std::vector<SurfacePart> parts = placeSurfaceParts(scene, points, nearest, partsPerPoint, view);
     openShare = grid.openShare();
-    if (traced > 0.0 && openShare <= traced && triangles <= SceneRays::mostTriangles)
+    if (mostOpen > 0.0 && openShare <= mostOpen && triangles <= SceneRays::mostTriangles)
         rays = new SceneRays(scene, bvh, parts, partsPerPoint);
     double area = 0.0;
     for (size_t i = 0; i < triangles; ++i)

@@ -20,9 +20,9 @@ class OSGENVLIGHT_EXPORT TransportScene : public osg::Referenced
      * @param view    about the same
      * @param origin  of the scene, in the world
      * @param most    as of ProbeGrid
-     * @param traced  rays are to meet it if openShare is that at most; 0: none are
+     * @param mostOpen  rays are to meet it if openShare is that at most; 0: none are
      * @param stop    set by another thread: empty() */
-    TransportScene(const TracedScene& scene, const osg::Vec3d& origin, int most, double traced, const TransportFocus& view = {},
+    TransportScene(const TracedScene& scene, const osg::Vec3d& origin, int most, double mostOpen, const TransportFocus& view = {},
                    const std::atomic<bool>* stop = nullptr);
 
     /** There is no surface that could send light on, or it was stopped. */

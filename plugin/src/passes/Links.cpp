@@ -47,7 +47,7 @@ void LinksPass::update(FrameContext& c)
     if (_lost.exchange(false)) _light.fresh = true;
     const StaticCasters& casters = c.skyMaps->still();
     if (const osg::ref_ptr<TransportScene> made = _worker.take()) accept(made);
-    Wanted wanted{c.skyMaps, casters.generation(), c.settings.bounceProbes, traced(c), focusOf(c)};
+    Wanted wanted{c.skyMaps, casters.generation(), c.settings.bounceProbes, mostOpenForRays(c), focusOf(c)};
     // A view that keeps moving gets what it is waiting for.
     if (_worker.busy() && wanted.isOfSameCasters(_wanted)) wanted.focus = _wanted.focus;
     if (!(wanted == _wanted)) makeScene(c, wanted);
@@ -96,7 +96,7 @@ bool LinksPass::wantsRays(const FrameContext& c)
 }
 
 // As TransportScene takes it.
-double LinksPass::traced(const FrameContext& c)
+double LinksPass::mostOpenForRays(const FrameContext& c)
 {
     return wantsRays(c) ? 1.0 : mostOpenForNearLight(c.settings);
 }
@@ -109,9 +109,9 @@ void LinksPass::makeScene(const FrameContext& c, const Wanted& wanted)
     TransportFocus view = wanted.focus;
     view.center -= c.skyMaps->origin();
     const int probes = view.radius > 0.0 ? std::min(wanted.probes, mostAboutView) : wanted.probes;
-    const auto make = [parts = _wantedParts, origin = c.skyMaps->origin(), probes, traced = wanted.traced,
+    const auto make = [parts = _wantedParts, origin = c.skyMaps->origin(), probes, mostOpen = wanted.mostOpen,
                        view](const std::atomic<bool>* stop) {
-        return osg::ref_ptr<TransportScene>(new TransportScene(tracedScene(parts), origin, probes, traced, view, stop));
+        return osg::ref_ptr<TransportScene>(new TransportScene(tracedScene(parts), origin, probes, mostOpen, view, stop));
     };
     if (c.settings.regeneration == Settings::IMMEDIATE)
         accept(make(nullptr));

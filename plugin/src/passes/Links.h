@@ -40,17 +40,17 @@ class OSGENVLIGHT_EXPORT LinksPass : public RenderPass
         osg::observer_ptr<const ShadowAtlas> atlas;  // whose casters it shows
         unsigned generation = 0;                     // of these
         int probes = 0;
-        double traced = 0.0;   // as of TransportScene
-        TransportFocus focus;  // in the world
+        double mostOpen = 0.0;  // as of TransportScene
+        TransportFocus focus;   // in the world
         bool isOfSameCasters(const Wanted& o) const { return atlas == o.atlas && generation == o.generation; }
         bool operator==(const Wanted& o) const
         {
-            return isOfSameCasters(o) && probes == o.probes && traced == o.traced && focus == o.focus;
+            return isOfSameCasters(o) && probes == o.probes && mostOpen == o.mostOpen && focus == o.focus;
         }
     };
     TransportFocus focusOf(const FrameContext& context) const;
     bool wantsRays(const FrameContext& context);
-    double traced(const FrameContext& context);
+    double mostOpenForRays(const FrameContext& context);
     void makeScene(const FrameContext& context, const Wanted& wanted);
     void accept(const osg::ref_ptr<TransportScene>& scene);
     void showSurfaces(const StaticCasters::Parts& parts);

@@ -7,7 +7,7 @@
 namespace osgEnvLight
 {
 
-/** The share of directions in which the probes of a scene may see the map, for rays to look for surfaces close by. 0: none do. */
+/** Rays look for surfaces close by in scenes whose TransportScene::openShare is this at most. 0: in none. */
 double mostOpenForNearLight(const Settings& settings);
 
 /** Whether these passes run. */
@@ -23,7 +23,7 @@ class OSGENVLIGHT_EXPORT NearLightPass : public RenderPass
     void setup(PassBuilder& builder, FrameContext& context) override;
 };
 
-/** The mean over a cell, in place of that share of what the probes say. */
+/** The mean of that light over a cell. It replaces the probes' light in the share of directions that these surfaces fill. */
 class OSGENVLIGHT_EXPORT NearLightFilterPass : public RenderPass
 {
   public:
