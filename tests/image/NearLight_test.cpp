@@ -3,6 +3,8 @@
 #include "ClosedRoom.h"
 #include "ProbeScenes.h"
 
+#include <BenchModel.h>
+
 namespace NearLight_test
 {
 
@@ -89,10 +91,9 @@ TEST(NearLight, AGapBelowABoardIsDark)
 TEST(NearLight, RunsInRoomsUnlessAskedFor)
 {
     SceneRenderer renderer(16, 16);
-    renderer.lookAt(osg::Vec3d(0, -6, 4), osg::Vec3d(), osg::Vec3d(0, 0, 1), 30.0);
+    lookAtBenchModel(renderer);
     const osg::ref_ptr<LitScene> lit = makeProbed();
-    lit->addChild(makeBox(osg::Vec3d(-2, -2, -0.2), osg::Vec3d(2, 2, 0)));
-    lit->addChild(makeBox(osg::Vec3d(-0.5, -0.5, 0), osg::Vec3d(0.5, 0.5, 1)));
+    lit->addChild(makeBenchModel(4096));  // balls that all but touch, on a floor
     renderer.render(lit);
     EXPECT_FALSE(lit->plan().runs("nearlight"));
     EXPECT_EQ("surfaces hide too little of the map", lit->plan().reason("nearlight"));

@@ -19,7 +19,7 @@ std::vector<SettingsProperty> BounceSettings::properties()
                "finer grids where the view shows a small part of a large scene, and there at most 20"),
         choice("bounceNear", &S::bounceNear, {"off", "auto", "on"},
                "of bounce=probes: a ray from each pixel finds the surfaces close by, whose light the probes mix with that of "
-               "others; auto: where the probes see the map in less than 3/8 of all directions, as in rooms"),
+               "others; auto: where many probes see little of the map, as in rooms"),
         uniform(
             real("bounceNearDistance", &S::bounceNearDistance, 0.125, 4, "distances between probes", "how far that ray goes")),
         choice(

@@ -236,11 +236,13 @@ ProbeGrid::ProbeGrid(const TracedScene& scene, const CasterBvh& bvh, const Neare
 double ProbeGrid::openShare() const
 {
     const Planes& planes = levels.front().planes;
-    const size_t count = planes[0].size() * planes[1].size() * planes[2].size(), last = count * directions().size();
-    double sum = 0.0;
-    for (size_t i = 0; i < std::min(last, links.size()); ++i)
-        if (links[i] == SKY) sum += double(directions()[i % directions().size()].share);
-    return sum / double(count);
+    const size_t count = planes[0].size() * planes[1].size() * planes[2].size(), ofProbe = directions().size();
+    std::vector<double> shares(count, 0.0);
+    for (size_t i = 0; i < std::min(count * ofProbe, links.size()); ++i)
+        if (links[i] == SKY) shares[i / ofProbe] += double(directions()[i % ofProbe].share);
+    const auto middle = shares.begin() + std::ptrdiff_t(closedPart * double(count));
+    std::nth_element(shares.begin(), middle, shares.end());
+    return *middle;
 }
 
 void ProbeGrid::addLevel(const TracedScene& scene, const CasterBvh& bvh, const NearestPoint& nearest, const Level& level,

@@ -34,7 +34,7 @@ class OSGENVLIGHT_EXPORT TransportScene : public osg::Referenced
     std::array<int, 3> count{};  // probes along each axis, of each level
     int lattices = 0;            // levels about the view, besides that of all the scene
     int probes() const { return (1 + lattices) * count[0] * count[1] * count[2]; }
-    double openShare = 1.0;  // of directions in which the probes see no surface
+    double openShare = 1.0;  // of directions in which ProbeGrid::closedPart of the probes see no surface, at most
     int columns = 0;         // probes side by side in the textures of probes
 
     // POINT_SIDE x POINT_SIDE, one texel a point: position; normal and 1.

@@ -186,7 +186,7 @@ void LinksPass::setup(PassBuilder&, FrameContext& c)
         ", " + std::to_string(limits::POINT_SIDE * limits::POINT_SIDE) + " points, " + std::to_string(scene.count[0]) + " x " +
         std::to_string(scene.count[1]) + " x " + std::to_string(scene.count[2]) + " probes" +
         (scene.lattices > 0 ? ", and as many in each of " + counted(size_t(scene.lattices), "grid") + " about the view" : "") +
-        ", that see the map in " + std::to_string(int(std::lround(100.0 * scene.openShare))) + " % of directions");
+        "; 3/8 of them see the map in at most " + std::to_string(int(std::lround(100.0 * scene.openShare))) + " % of directions");
 }
 
 void LinksPass::dismiss(FrameContext& c)
