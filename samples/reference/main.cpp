@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // envlight-reference: the truth of a scene under its environment and its lights, ray traced.
 #include "ImageFile.h"
+#include "Interruption.h"
 #include "Numbers.h"
 #include "PluginPath.h"
 #include "ProgressBar.h"
@@ -15,7 +16,6 @@
 #include <osgDB/FileNameUtils>
 
 #include <algorithm>
-#include <csignal>
 #include <iostream>
 #include <locale>
 #include <sstream>
@@ -27,8 +27,6 @@ using osgEnvLight::Layer;
 using osgEnvLight::Picture;
 using osgEnvLight::ReferenceOptions;
 using osgEnvLight::ReferenceResult;
-
-volatile std::sig_atomic_t interrupted = 0;
 
 struct Arguments {
     SceneOptions scene;
@@ -149,13 +147,12 @@ int run(Arguments& a)
             osgEnvLight::writeLayeredExr(a.output, p, {}, {});
         return 0;
     }
-    std::signal(SIGINT, [](int) { interrupted = 1; });
+    const Interruption interruption;
     ProgressBar bar(a.quiet);
     const ReferenceResult result = scene.reference().render(a.options, layersOf(a), [&](const auto& progress) {
         bar.show(progress.fraction, std::to_string(progress.samples) + " spp, error " + percent(progress.error));
-        return !interrupted;
+        return !Interruption::requested();
     });
-    std::signal(SIGINT, SIG_DFL);
     bar.finish();
     write(a, result, scene);
     if (!a.quiet)

@@ -2,6 +2,7 @@
 // envlight-render: a scene lit by its environment, to an image, without an X server.
 #include "HeadlessViewer.h"
 #include "ImageFile.h"
+#include "Interruption.h"
 #include "PluginPath.h"
 #include "ProgressBar.h"
 #include "Statistics.h"
@@ -12,21 +13,12 @@
 #include <osgDB/FileNameUtils>
 
 #include <algorithm>
-#include <csignal>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 
 namespace
 {
-
-volatile std::sig_atomic_t interrupted = 0;
-
-// Once: a second signal ends the program at once.
-void interrupt(int signal)
-{
-    interrupted = 1;
-    std::signal(signal, SIG_DFL);
-}
 
 struct Arguments {
     SceneOptions scene;
@@ -75,7 +67,7 @@ bool draw(HeadlessViewer& viewer, const osgEnvLight::LitScene& lit, const Argume
         ++statistics.frames;
         const double error = lit.average().standardError;
         if (a.error > 0.0 && error >= 0.0 && error <= a.error) return true;
-        if (statistics.frames < most && interrupted) return false;
+        if (statistics.frames < most && Interruption::requested()) return false;
         // The error falls with the root of the number of frames.
         const double ofError = a.error > 0.0 && error > 0.0 ? a.error * a.error / (error * error) : 0.0;
         progress(std::max(double(statistics.frames) / most, ofError), statistics.frames);
@@ -112,7 +104,7 @@ bool drawViews(HeadlessViewer& viewer, osgEnvLight::LitScene& lit, const Argumen
         if (!complete && wanted.size() > 1) throw std::runtime_error("interrupted before " + file);
         write(viewer, file);
         if (!complete) return false;
-        if (interrupted && k + 1 < wanted.size()) throw std::runtime_error("interrupted after " + file);
+        if (Interruption::requested() && k + 1 < wanted.size()) throw std::runtime_error("interrupted after " + file);
     }
     return true;
 }
@@ -130,8 +122,8 @@ int run(Arguments& a)
     HeadlessViewer viewer(*lit, a.scene);
     Statistics statistics{a.scene.scene, a.scene.width, a.scene.height};
     lit->setTimed(!a.statistics.empty());
-    if (converges(a))
-        for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, interrupt);
+    std::optional<Interruption> interruption;
+    if (converges(a)) interruption.emplace();
     const bool complete = drawViews(viewer, *lit, a, statistics);
     std::string error;
     if (!a.statistics.empty() && !statistics.write(a.statistics, *lit, viewer.context(), error)) throw std::runtime_error(error);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // envlight-tradeoff: what every setting costs and how exact it is, on the user's own scene and machine.
 #include "Hardware.h"
+#include "Interruption.h"
 #include "Measurement.h"
 #include "Pareto.h"
 #include "PluginPath.h"
@@ -11,7 +12,6 @@
 #include <metrics/Display>
 
 #include <chrono>
-#include <csignal>
 #include <iostream>
 #include <sstream>
 
@@ -21,8 +21,6 @@ namespace
 using namespace tradeoff;
 
 using Clock = std::chrono::steady_clock;
-
-volatile std::sig_atomic_t interrupted = 0;
 
 struct Arguments {
     SceneOptions scene;
@@ -118,7 +116,7 @@ void measureAll(const std::vector<Candidate>& all, Measurement& measurement, con
 {
     const std::vector<size_t> order = measuringOrder(all);
     std::vector<Point> points;
-    while (points.size() < all.size() && !interrupted && (points.empty() || Clock::now() < deadline)) {
+    while (points.size() < all.size() && !Interruption::requested() && (points.empty() || Clock::now() < deadline)) {
         const Candidate& c = all[order[points.size()]];
         bar.show(done + (1.0 - done) * double(points.size()) / double(all.size()), c.sweep + " " + c.value);
         Point point;
@@ -132,7 +130,7 @@ void measureAll(const std::vector<Candidate>& all, Measurement& measurement, con
         if (point) report.points.push_back(*point);
 
     const std::string share = std::to_string(points.size()) + " of " + std::to_string(all.size()) + " settings";
-    if (interrupted) {
+    if (Interruption::requested()) {
         report.interrupted = true;
         report.interruption = "Interrupted after " + share + ".";
     } else if (points.size() < all.size()) {
@@ -164,7 +162,7 @@ int run(Arguments& a)
     // A folder that can't be written should be known before the minutes of measuring.
     makeReportFolder(a.output);
     HeadlessViewer viewer(*lit, a.scene);
-    std::signal(SIGINT, [](int) { interrupted = 1; });
+    const Interruption interruption;
 
     ProgressBar bar(a.quiet);
     const double referenceShare = 0.4;  // of the time, roughly
@@ -175,7 +173,7 @@ int run(Arguments& a)
     options.reach = double(lit->getSettings()->occlusionRadius) * reference.radius();
     const Truth truth = makeTruth(reference, options, [&](double fraction, double error) {
         bar.show(referenceShare * fraction, "reference, error " + percent(error));
-        return !interrupted;
+        return !Interruption::requested();
     });
     if (truth.mask.pixels() == 0)
         throw std::runtime_error(a.scene.scene + ": no surface is in the view: there is nothing to measure");
@@ -206,7 +204,6 @@ int run(Arguments& a)
     selection.areaLights = lit->plan().runs("areamaps");
     measureAll(candidates(selection), measurement, truth, report, bar, referenceShare,
                start + std::chrono::seconds(a.quick ? 105 : 1100));
-    std::signal(SIGINT, SIG_DFL);
     bar.finish();
     writeReport(report, a.output);
     if (!a.quiet) std::cout << headline(report, Summary(report)) << "\n" << a.output << "/index.html\n";

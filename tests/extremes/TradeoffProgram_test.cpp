@@ -209,7 +209,7 @@ TEST_F(TradeoffProgram, AnInterruptionKeepsWhatThereIs)
     const TemporaryFolder folder;
     const std::string output = folder.file("report");
     // Shown when the first setting is measured and many are left.
-    const Outcome o = interruptProgram(command(writeScene(folder), output), "preset low");
+    const Outcome o = interruptProgram(command(writeScene(folder), output), "preset low", SIGTERM);
     EXPECT_EQ(o.status, 1) << o.err;
     EXPECT_NE(o.err.find("interrupted"), std::string::npos) << o.err;
     const json j = readJson(output + "/tradeoff.json");

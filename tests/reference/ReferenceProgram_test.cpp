@@ -252,16 +252,19 @@ TEST_F(ReferenceProgram, PixelAndLights)
 
 TEST_F(ReferenceProgram, InterruptedItKeepsWhatThereIs)
 {
-    const Outcome o =
-        interruptProgram({program, model, "--env", "studio", "--size", "64x64", "--spp", "10000000", "-o", out}, "[1-9]\\d* spp");
-    EXPECT_EQ(1, o.status);
-    EXPECT_NE(std::string::npos, o.err.find("interrupted; " + out)) << o.err;
-    EXPECT_EQ(2u, linesIn(o.err)) << o.err;  // after how many samples, and that
-    Exr exr = readExr(out);
-    EXPECT_EQ("interrupted", exr.attributes["state"]);
-    EXPECT_GT(std::stol(exr.attributes["samplesPerPixel"]), 0);
-    EXPECT_TRUE(exr.picture.finite());
-    EXPECT_GT(exr.picture.at(32, 24)[3], 0.0f);  // the sphere
+    for (const int signal : {SIGINT, SIGTERM}) {  // a job scheduler sends SIGTERM
+        const Outcome o = interruptProgram({program, model, "--env", "studio", "--size", "64x64", "--spp", "10000000", "-o", out},
+                                           "[1-9]\\d* spp", signal);
+        EXPECT_EQ(1, o.status);
+        EXPECT_NE(std::string::npos, o.err.find("interrupted; " + out)) << o.err;
+        EXPECT_EQ(2u, linesIn(o.err)) << o.err;  // after how many samples, and that
+        Exr exr = readExr(out);
+        EXPECT_EQ("interrupted", exr.attributes["state"]);
+        EXPECT_GT(std::stol(exr.attributes["samplesPerPixel"]), 0);
+        EXPECT_TRUE(exr.picture.finite());
+        EXPECT_GT(exr.picture.at(32, 24)[3], 0.0f);  // the sphere
+        std::filesystem::remove(out);
+    }
 }
 
 TEST_F(ReferenceProgram, NothingToSeeIsTheBackground)

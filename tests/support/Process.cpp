@@ -58,7 +58,7 @@ Outcome runProgram(const std::vector<std::string>& command, const std::vector<st
     return {statusOf(pid), readFile(folder.file("out")), readFile(folder.file("err"))};  // in this order
 }
 
-Outcome interruptProgram(const std::vector<std::string>& command, const std::string& shown)
+Outcome interruptProgram(const std::vector<std::string>& command, const std::string& shown, int signal)
 {
     int terminal = -1;
     const int pid = forkpty(&terminal, nullptr, nullptr, nullptr);
@@ -70,7 +70,8 @@ Outcome interruptProgram(const std::vector<std::string>& command, const std::str
     char part[4096];
     for (ssize_t n; (n = read(terminal, part, sizeof part)) > 0;) {
         o.err.append(part, size_t(n));
-        if (!pressed && std::regex_search(o.err, awaited)) pressed = write(terminal, "\x03", 1) == 1;
+        if (pressed || !std::regex_search(o.err, awaited)) continue;
+        pressed = signal == SIGINT ? write(terminal, "\x03", 1) == 1 : kill(pid, signal) == 0;
     }
     close(terminal);
     o.status = statusOf(pid);

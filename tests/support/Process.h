@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <csignal>
 #include <string>
 #include <vector>
 
@@ -15,10 +16,10 @@ struct Outcome {
 Outcome runProgram(const std::vector<std::string>& command, const std::vector<std::string>& environment = {});
 
 /**
- * Run a program in a terminal, press Ctrl-C once it has shown what a regular expression finds, and wait for its end.
- * err is all that was shown.
+ * Run a program in a terminal, send it a signal once it has shown what a regular expression finds, and wait for its end. SIGINT
+ * is sent as Ctrl-C. err is all that was shown.
  */
-Outcome interruptProgram(const std::vector<std::string>& command, const std::string& shown);
+Outcome interruptProgram(const std::vector<std::string>& command, const std::string& shown, int signal = SIGINT);
 
 /** A program that runs until it is told to end. */
 class BackgroundProgram
