@@ -2,6 +2,8 @@
 // Coarse triangles for shadow maps and rays.
 #include "surface/CoarseMesh.h"
 
+#include "indirect/CasterBvh.h"
+
 #include <TracedShapes.h>
 
 #include <gtest/gtest.h>
@@ -86,6 +88,32 @@ TEST(CoarseMesh, SmallBodiesAreCoarserToo)
     for (double cell = 0.1; cell < 3.0; cell *= 1.3) {
         const CasterMesh mesh = coarseMesh(casterOf(ball), osg::Vec3d(), cell);
         EXPECT_LT(mesh.triangles.size(), ball.triangles.size() / 8) << cell;
+    }
+}
+
+// Light in a thin vessel must not end within its wall.
+TEST(CoarseMesh, ThinWallsKeepTheirThickness)
+{
+    TracedScene vessel;  // a ball, and another around it that faces the other way
+    const unsigned surface = addSurface(vessel, true);
+    addSphere(vessel, surface, osg::Vec3f(0.1f, 0.2f, 0.3f), 1.0f, 128);
+    TracedScene inside;
+    addSphere(inside, addSurface(inside, true), osg::Vec3f(0.1f, 0.2f, 0.3f), 0.98f, 128);
+    for (const auto& t : inside.triangles)
+        addTriangle(vessel, surface, inside.positions[t[0]], inside.positions[t[2]], inside.positions[t[1]]);
+    const double wall = sizeOf(meshOf(casterOf(vessel), osg::Vec3d())).volume;
+    for (double cell = 0.05; cell < 0.3; cell *= 1.3) {
+        const CasterMesh mesh = coarseMesh(casterOf(vessel), osg::Vec3d(), cell);
+        ASSERT_LT(mesh.triangles.size(), vessel.triangles.size() / 2) << cell;
+        EXPECT_NEAR(sizeOf(mesh).volume / wall, 1.0, 0.1) << cell;
+        const CasterBvh bvh(tracedScene({{std::make_shared<CasterMesh>(mesh), {}}}));
+        for (int i = 0; i < 100; ++i) {
+            const glsl::vec3 d = glsl::directionFromOctahedral(glsl::hammersley(unsigned(i), 100u));
+            const osg::Vec3f to(float(d.x), float(d.y), float(d.z));
+            const auto hit = bvh.nearest(osg::Vec3f(0.1f, 0.2f, 0.3f), to);
+            ASSERT_TRUE(hit);
+            EXPECT_FALSE(hit->back) << cell << ", ray " << i;
+        }
     }
 }
 

@@ -25,12 +25,51 @@ osg::Vec3d normalOf(const Mesh& mesh, const Triangle& t)
     return (osg::Vec3d(mesh.positions[t[1]]) - a) ^ (osg::Vec3d(mesh.positions[t[2]]) - a);
 }
 
+// Of the surface at each vertex, of unit length: the mean over the triangles that meet at its place, by their areas.
+std::vector<osg::Vec3d> surfaceNormals(const Mesh& mesh)
+{
+    const std::vector<unsigned> places = placesOf(mesh);
+    std::vector<osg::Vec3d> sums(places.size()), normals;
+    for (const Triangle& t : mesh.triangles)
+        for (unsigned v : t) sums[places[v]] += normalOf(mesh, t);
+    for (osg::Vec3d& sum : sums) sum.normalize();
+    for (unsigned place : places) normals.push_back(sums[place]);
+    return normals;
+}
+
 double area(const Mesh& mesh)
 {
     double sum = 0.0;
     for (const Triangle& t : mesh.triangles) sum += 0.5 * normalOf(mesh, t).length();
     return sum;
 }
+
+// The ways that the vertices in a cube of the grid face. If some face against the others, they are a cell of their own. Else the
+// two sides of a thin wall would become one, and light from one side would end within it.
+struct Cube {
+    osg::Vec3d least, most;  // components of unit normals, and 0
+
+    void add(const osg::Vec3d& normal)
+    {
+        for (int k = 0; k < 3; ++k) {
+            least[k] = std::min(least[k], normal[k]);
+            most[k] = std::max(most[k], normal[k]);
+        }
+    }
+
+    // 1 for those against the axis along which the cube's vertices face both ways most, else 0.
+    unsigned side(const osg::Vec3d& normal) const
+    {
+        double opposed = 0.25;
+        unsigned side = 0;
+        for (int k = 0; k < 3; ++k) {
+            if (std::min(-least[k], most[k]) <= opposed) continue;
+            opposed = std::min(-least[k], most[k]);
+            side = normal[k] < 0.0 ? 1 : 0;
+        }
+        return side;
+    }
+};
 
 // The mean of a cell's vertices, and the quadric of the planes of the triangles that have a corner in it: the sum of their
 // squared distances from a place about the mean, weighted by the triangles' areas [Garland and Heckbert 1997].
@@ -77,8 +116,33 @@ struct Cells {
     std::vector<Cell> cells;
     std::vector<unsigned> of;
 
-    Cells(const Mesh& mesh, double size) : of(mesh.positions.size(), unset)
+    // normals: of the surface at the vertices
+    Cells(const Mesh& mesh, const std::vector<osg::Vec3d>& normals, double size) : of(mesh.positions.size(), unset)
     {
+        const std::vector<Cube> cubes = findCubes(mesh, normals, size);
+        std::vector<unsigned> numbers(2 * cubes.size(), unset);
+        for (size_t v = 0; v < of.size(); ++v) {
+            if (of[v] == unset) continue;
+            unsigned& number = numbers[2 * of[v] + cubes[of[v]].side(normals[v])];
+            if (number == unset) {
+                number = unsigned(cells.size());
+                cells.emplace_back();
+            }
+            of[v] = number;
+            cells[number].mean += mesh.positions[v];
+            ++cells[number].count;
+        }
+        for (Cell& cell : cells) cell.mean /= cell.count;
+        for (const Triangle& t : mesh.triangles) addPlane(mesh, t);
+    }
+
+  private:
+    static constexpr unsigned unset = ~0u;
+
+    // Puts their numbers into `of`.
+    std::vector<Cube> findCubes(const Mesh& mesh, const std::vector<osg::Vec3d>& normals, double size)
+    {
+        std::vector<Cube> cubes;
         std::unordered_map<std::array<long, 3>, unsigned, KeyHash> numbers(mesh.positions.size());
         for (const Triangle& t : mesh.triangles)
             for (unsigned v : t) {
@@ -86,17 +150,12 @@ struct Cells {
                 const osg::Vec3f& p = mesh.positions[v];
                 std::array<long, 3> key;
                 for (int k = 0; k < 3; ++k) key[size_t(k)] = std::lround(double(p[k]) / size);
-                of[v] = numbers.emplace(key, unsigned(cells.size())).first->second;
-                if (of[v] == cells.size()) cells.emplace_back();
-                cells[of[v]].mean += p;
-                ++cells[of[v]].count;
+                of[v] = numbers.emplace(key, unsigned(cubes.size())).first->second;
+                if (of[v] == cubes.size()) cubes.emplace_back();
+                cubes[of[v]].add(normals[v]);
             }
-        for (Cell& cell : cells) cell.mean /= cell.count;
-        for (const Triangle& t : mesh.triangles) addPlane(mesh, t);
+        return cubes;
     }
-
-  private:
-    static constexpr unsigned unset = ~0u;
 
     void addPlane(const Mesh& mesh, const Triangle& t)
     {
@@ -112,9 +171,9 @@ struct Cells {
 };
 
 // A vertex for each cell; triangles may be there several times. Corners keep their normals.
-Mesh merged(const Mesh& mesh, double size)
+Mesh merged(const Mesh& mesh, const std::vector<osg::Vec3d>& normals, double size)
 {
-    const Cells cells(mesh, size);
+    const Cells cells(mesh, normals, size);
     Mesh result;
     for (const Cell& cell : cells.cells) result.positions.push_back(osg::Vec3f(cell.place(0.5 * size)));
     for (size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -153,9 +212,10 @@ void dropCopies(Mesh& mesh)
 CasterMesh coarseMesh(const Caster& caster, const osg::Vec3d& origin, double cell)
 {
     Mesh mesh = meshOf(caster, origin);
+    const std::vector<osg::Vec3d> normals = surfaceNormals(mesh);
     const double whole = area(mesh);
     for (int halving = 0; halving < mostHalvings; ++halving, cell *= 0.5) {
-        Mesh all = merged(mesh, cell);
+        Mesh all = merged(mesh, normals, cell);
         Mesh coarse = all;
         dropCopies(coarse);
         if (coarse.triangles.size() >= mesh.triangles.size()) break;
