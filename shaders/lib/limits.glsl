@@ -22,6 +22,7 @@ const int PROBE_SIDE = 16;        // points that are read back along each side o
 const int MOST_PROBES = 32;       // along each axis of their grid
 const int PROBE_LATTICES = 2;     // finer grids of probes about the view, in a scene far larger
 const int POINT_SIDE = 64;        // surface points along each side of the textures that have a texel for each
+const int POINT_LINKS = 16;        // directions in which a surface point looks for others close by
 const int POINT_PART_SIDE = 4;    // parts of what a point stands for along each side of the square of their texels
 const int PROBE_FACE_SIDE = 8;         // directions along each side of a cube's face in which a probe looks
 const int PROBE_DEPTH_SIDE = 12;       // of the octahedral map of what a probe knows of distances [texels]

@@ -165,7 +165,8 @@ osg::ref_ptr<WatchedScene> makeScene()
 // Not in a state graph: what the shadow maps draw with, and the bounces.
 const Names ofShadowMaps = {"pass/caster.frag", "pass/caster.vert", "pass/emittermap.frag", "pass/midpoint.frag",
                             "pass/sunmap.frag"};
-const Names ofBounces = {"pass/pointradiance.frag", "pass/probeharmonics.frag", "pass/probes.frag", "pass/surfacecells.frag"};
+const Names ofBounces = {"pass/pointnear.frag", "pass/pointradiance.frag", "pass/probeharmonics.frag", "pass/probes.frag",
+                          "pass/surfacecells.frag"};
 
 // Of a test of their own.
 const Names ofCaustics = {"pass/caustics.frag", "pass/reflectivemap.frag", "pass/virtuallights.frag"};

@@ -21,6 +21,7 @@ struct IndirectLight {
     double mostReflected = 1.0;  // by any surface, of what it receives
 
     bool fresh = true;          // nothing has been drawn into the targets
+    bool relinked = true;       // what has been drawn of points is of those of a former scene
     unsigned turns = 0;         // frames in which points will be lit after this one
     unsigned rows = 0;          // of every so many rows of points one is lit in this frame; 0: none is due
     unsigned bounces = 0;       // that are drawn in this frame

@@ -15,12 +15,10 @@ BounceDraw::BounceDraw(osg::Vec3Array* vertices) : _triangle(makeFullScreenTrian
     setCullingActive(false);
 }
 
-void BounceDraw::prepare(const TransportTargets& targets, const States& states, bool fresh, unsigned bounces,
-                         const TimedDraw& timed)
+void BounceDraw::prepare(const TransportTargets& targets, const States& states, unsigned bounces, const TimedDraw& timed)
 {
     _targets = targets;
     _states = states;
-    _fresh = fresh;
     _bounces = bounces;
     _timed = timed;
 }
@@ -31,8 +29,9 @@ void BounceDraw::drawImplementation(osg::RenderInfo& renderInfo) const
     _timed.begin(state);
     for (const auto& s : _states.uniforms) state.pushStateSet(s.get());
     for (unsigned i = 0; i < _bounces; ++i) {
-        drawInto(renderInfo, *_targets.radianceTarget, *_targets.pointRadiance,
-                 _fresh && i == 0 ? *_states.first : *_states.points);
+        const bool isFirst = i == 0 && _states.first;
+        if (_states.near && !isFirst) drawInto(renderInfo, *_targets.nearTarget, *_targets.pointNear, *_states.near);
+        drawInto(renderInfo, *_targets.radianceTarget, *_targets.pointRadiance, isFirst ? *_states.first : *_states.points);
         drawInto(renderInfo, *_targets.harmonicsTarget, *_targets.probeHarmonics[0], *_states.harmonics);
         drawInto(renderInfo, *_targets.irradianceTarget, *_targets.probeIrradiance, *_states.probes);
     }

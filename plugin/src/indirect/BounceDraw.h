@@ -23,14 +23,14 @@ class OSGENVLIGHT_EXPORT BounceDraw : public osg::Drawable
     /** The programs' state sets, with their textures and uniforms. */
     struct States {
         std::vector<osg::ref_ptr<osg::StateSet>> uniforms;  // of this frame, for all of them
-        osg::ref_ptr<osg::StateSet> first;                  // of the points where the probes have seen nothing yet
-        osg::ref_ptr<osg::StateSet> points;                 // where they have
+        osg::ref_ptr<osg::StateSet> first;                  // of the points in the first of these bounces; null: as in others
+        osg::ref_ptr<osg::StateSet> points;
+        osg::ref_ptr<osg::StateSet> near;  // null: no point is close to another; not drawn where there is a first
         osg::ref_ptr<osg::StateSet> harmonics, probes;
         osg::ref_ptr<osg::StateSet> cells;  // null: no rays meet the scene
     };
-    /** @param fresh    the probes have seen nothing yet
-     * @param bounces  in this frame */
-    void prepare(const TransportTargets& targets, const States& states, bool fresh, unsigned bounces, const TimedDraw& timed);
+    /** @param bounces  in this frame */
+    void prepare(const TransportTargets& targets, const States& states, unsigned bounces, const TimedDraw& timed);
 
     void drawImplementation(osg::RenderInfo& renderInfo) const override;
     osg::BoundingBox computeBoundingBox() const override { return osg::BoundingBox(); }
@@ -44,7 +44,6 @@ class OSGENVLIGHT_EXPORT BounceDraw : public osg::Drawable
     osg::ref_ptr<osg::Geometry> _triangle;
     TransportTargets _targets;
     States _states;
-    bool _fresh = false;
     unsigned _bounces = 0;
     TimedDraw _timed;
 };

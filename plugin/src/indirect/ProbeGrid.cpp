@@ -2,6 +2,7 @@
 #include "indirect/ProbeGrid.h"
 
 #include "base/Limits.h"
+#include "indirect/StoppedRay.h"
 
 #include <algorithm>
 #include <cmath>
@@ -186,33 +187,6 @@ Spacing spacingAt(const ProbeGrid::Planes& planes, const std::array<int, 3>& at)
     return spacing;
 }
 
-// A number in [0,1) that looks random, the same for the same triangle and ray.
-float chance(unsigned triangle, const osg::Vec3f& direction)
-{
-    uint32_t bits[3];
-    std::memcpy(bits, direction.ptr(), sizeof(bits));
-    uint32_t h = triangle * 0x9E3779B9u ^ bits[0] * 0x85EBCA6Bu ^ bits[1] * 0xC2B2AE35u ^ bits[2];
-    h = (h ^ h >> 16) * 0x7FEB352Du;
-    h = (h ^ h >> 15) * 0x846CA68Bu;
-    return float((h ^ h >> 16) >> 8) / 16777216.0f;
-}
-
-// The nearest surface on a ray that stops it: of those with holes some do.
-std::optional<CasterBvh::Hit> stopped(const TracedScene& scene, const CasterBvh& bvh, const osg::Vec3f& from,
-                                      const osg::Vec3f& to)
-{
-    float before = 0.0f;
-    for (int layer = 0; layer < 64; ++layer) {
-        std::optional<CasterBvh::Hit> hit = bvh.nearest(from + to * before, to);
-        if (!hit) return hit;
-        hit->distance += before;
-        const float opacity = scene.surfaces[scene.surfaceOf[hit->triangle]].opacity;
-        if (opacity >= 1.0f || chance(hit->triangle, to) < opacity) return hit;
-        before = std::nextafter(hit->distance * 1.0001f, 1e30f);
-    }
-    return std::nullopt;
-}
-
 }  // namespace
 
 const std::vector<ProbeGrid::Direction>& ProbeGrid::directions()
@@ -307,7 +281,7 @@ std::vector<ProbeGrid::Seen> ProbeGrid::look(const TracedScene& scene, const Cas
 {
     std::vector<Seen> seen;
     for (const Direction& d : directions()) {
-        const std::optional<CasterBvh::Hit> hit = stopped(scene, bvh, from, d.to);
+        const std::optional<CasterBvh::Hit> hit = stoppedRay(scene, bvh, from, d.to);
         if (!hit)
             seen.push_back({1e30f, SKY, false});
         else if (hit->back && scene.surfaces[scene.surfaceOf[hit->triangle]].closed)

@@ -33,8 +33,8 @@ struct OSGENVLIGHT_EXPORT ProbeGrid {
     size_t probes() const { return places.size(); }
     /** In which share of directions closedPart of the probes of all the scene see no surface, at most. */
     double openShare() const;
-    /** Around a room with walls as thick as a cell, all of the outermost probes stand outside: half of them. A mean would tell such
-     * a room from balls on a floor less well. */
+    /** Around a room with walls as thick as a cell, all of the outermost probes stand outside: half of them. A mean would tell
+     * such a room from balls on a floor less well. */
     static constexpr double closedPart = 0.375;
 
     using Planes = std::array<std::vector<float>, 3>;

@@ -2,6 +2,7 @@
 #include "indirect/TransportScene.h"
 
 #include "base/Limits.h"
+#include "indirect/PointLinks.h"
 #include "indirect/Texels.h"
 
 #include <algorithm>
@@ -50,6 +51,8 @@ TransportScene::TransportScene(const TracedScene& scene, const osg::Vec3d& place
     const CasterBvh bvh(scene, stop);
     const NearestPoint nearest(points, scene, bvh, view);
     const ProbeGrid grid(scene, bvh, nearest, most, view, stop);
+    const double spacing = spacingOf(grid.levels.back().planes);
+    const std::vector<int> links = linkPoints(scene, bvh, points, nearest, float(spacing), stop);
     if (stop && *stop) return;
     const auto partsPerPoint = unsigned(partSide * partSide);
     const std::vector<SurfacePart> parts = placeSurfaceParts(scene, points, nearest, partsPerPoint, view);
@@ -62,6 +65,7 @@ TransportScene::TransportScene(const TracedScene& scene, const osg::Vec3d& place
     pointSpacing = std::sqrt(area / double(points.size()));
     writeParts(parts);
     writePoints(points);
+    writePointLinks(links);
     writeProbes(grid);
 }
 
@@ -75,6 +79,14 @@ void TransportScene::writePoints(const std::vector<SurfacePoint>& points)
     }
     pointPlaces = places.texture(GL_RGBA32F_ARB);
     pointNormals = normals.texture(GL_RGBA32F_ARB);
+}
+
+void TransportScene::writePointLinks(const std::vector<int>& links)
+{
+    if (std::all_of(links.begin(), links.end(), [](int link) { return link == NOTHING; })) return;
+    Texels texels(limits::POINT_LINKS * pointSide, pointSide, 1);
+    for (size_t i = 0; i < links.size(); ++i) *texels.at(int(i)) = float(links[i]);
+    pointLinks = texels.texture(GL_R32F);
 }
 
 void TransportScene::writeParts(const std::vector<SurfacePart>& parts)
@@ -205,6 +217,7 @@ std::vector<osg::Texture2D*> TransportScene::textures() const
     if (empty()) return {};
     std::vector<osg::Texture2D*> all = {pointPlaces.get(), pointNormals.get(), partPlaces.get(), partNormals.get(),
                                         probePlaces.get(), probeLinks.get(),   probeBasis.get(), probeDepths.get()};
+    if (pointLinks) all.push_back(pointLinks.get());
     if (!rays) return all;
     for (osg::Texture2D* t : rays->textures()) all.push_back(t);
     return all;

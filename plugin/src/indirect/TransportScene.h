@@ -39,6 +39,8 @@ class OSGENVLIGHT_EXPORT TransportScene : public osg::Referenced
 
     // POINT_SIDE x POINT_SIDE, one texel a point: position; normal and 1.
     osg::ref_ptr<osg::Texture2D> pointPlaces, pointNormals;
+    // POINT_LINKS x POINT_SIDE wide: of each point, side by side, linkPoints(); null: no surface is close to another.
+    osg::ref_ptr<osg::Texture2D> pointLinks;
     // The same of their parts, POINT_PART_SIDE x POINT_PART_SIDE texels in the place of a point's.
     osg::ref_ptr<osg::Texture2D> partPlaces, partNormals;
     // columns x columns: position, and how much it counts: less than 1 where another stands for a probe within a body.
@@ -76,6 +78,7 @@ class OSGENVLIGHT_EXPORT TransportScene : public osg::Referenced
 
   private:
     void writePoints(const std::vector<SurfacePoint>& points);
+    void writePointLinks(const std::vector<int>& links);
     void writeParts(const std::vector<SurfacePart>& parts);
     void writeProbes(const ProbeGrid& grid);
     void writeLevels(const std::vector<ProbeGrid::Level>& levels);

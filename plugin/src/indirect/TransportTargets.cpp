@@ -41,6 +41,12 @@ void TransportTargets::makePointMirrored()
     pointMirrored = pointTarget();
 }
 
+void TransportTargets::makePointNear()
+{
+    pointNear = pointTarget();
+    nearTarget = frameBufferOf(pointNear);
+}
+
 void TransportTargets::makeCellLight(int width, int height)
 {
     cellLight = targetTexture(width, height, GL_RGBA32F_ARB);
@@ -51,7 +57,8 @@ void TransportTargets::makeCellLight(int width, int height)
 std::vector<osg::FrameBufferObject*> TransportTargets::frameBuffers() const
 {
     std::vector<osg::FrameBufferObject*> all = {radianceTarget.get(), harmonicsTarget.get(), irradianceTarget.get()};
-    if (cellTarget) all.push_back(cellTarget.get());
+    for (const auto& f : {nearTarget, cellTarget})
+        if (f) all.push_back(f.get());
     return all;
 }
 
@@ -59,7 +66,7 @@ std::vector<osg::Texture2D*> TransportTargets::textures() const
 {
     std::vector<osg::Texture2D*> all;
     for (const auto& t : {pointLight, pointMirrored, pointRadiance, probeHarmonics[0], probeHarmonics[1], probeHarmonics[2],
-                          probeIrradiance, cellLight})
+                          probeIrradiance, pointNear, cellLight})
         if (t) all.push_back(t.get());
     return all;
 }

@@ -27,10 +27,12 @@ struct OSGENVLIGHT_EXPORT TransportTargets {
     osg::ref_ptr<osg::Texture2D> pointRadiance;                                           // as pass/pointradiance.frag
     std::array<osg::ref_ptr<osg::Texture2D>, limits::HARMONICS_TEXTURES> probeHarmonics;  // as pass/probeharmonics.frag
     osg::ref_ptr<osg::Texture2D> probeIrradiance;                                         // as pass/probes.frag
+    osg::ref_ptr<osg::Texture2D> pointNear;                                               // as pass/pointnear.frag; or null
     osg::ref_ptr<osg::Texture2D> cellLight;                                               // as pass/surfacecells.frag; or null
-    osg::ref_ptr<osg::FrameBufferObject> radianceTarget, harmonicsTarget, irradianceTarget, cellTarget;
+    osg::ref_ptr<osg::FrameBufferObject> radianceTarget, harmonicsTarget, irradianceTarget, nearTarget, cellTarget;
 
     void makePointMirrored();
+    void makePointNear();
     /** @param width, height  of SceneRays */
     void makeCellLight(int width, int height);
 

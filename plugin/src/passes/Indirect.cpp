@@ -152,9 +152,9 @@ void BouncesPass::setup(PassBuilder& b, FrameContext& c)
     }
     StageDraw& draw = c.frame.draw(name(), [&] { return new BounceDraw(c.frame.triangle.get()); });
     auto& bounces = static_cast<BounceDraw&>(draw.drawable());
-    bounces.prepare(light.targets, statesOf(b, c), light.fresh, light.bounces, c.timed(name()));
+    bounces.prepare(light.targets, statesOf(b, c), light.bounces, c.timed(name()));
     b.draw({name(), &bounces, _camera});
-    light.fresh = false;
+    light.fresh = light.relinked = false;
 }
 
 BounceDraw::States BouncesPass::statesOf(PassBuilder& b, FrameContext& c) const
@@ -202,6 +202,13 @@ BounceDraw::States BouncesPass::statesOf(PassBuilder& b, FrameContext& c) const
     points.push_back({"probePlaceMap", scene.probePlaces});
     points.push_back({"probeDepthMap", scene.probeDepths});
     points.push_back({"probeIrradianceMap", light.targets.probeIrradiance});
+    if (light.relinked && !light.fresh) states.first = state("pass/pointradiance.frag", defines, points);
+    if (scene.pointLinks) {
+        defines.push_back("HAS_POINT_LINKS");
+        points.push_back({"pointNearMap", light.targets.pointNear});
+        states.near = state("pass/pointnear.frag", {},
+                            {{"pointLinkMap", scene.pointLinks}, {"pointRadianceMap", light.targets.pointRadiance}});
+    }
     states.points = state("pass/pointradiance.frag", defines, points);
     if (scene.rays) {
         cells.push_back({"cellPointMap", scene.rays->cellPoints});

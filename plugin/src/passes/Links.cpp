@@ -132,6 +132,8 @@ void LinksPass::accept(const osg::ref_ptr<TransportScene>& scene)
         _light.targets = TransportTargets(scene->columns, probes);
         _light.fresh = true;
     }
+    _light.relinked = true;
+    keepPointNear();
     keepCells();
 }
 
@@ -156,6 +158,21 @@ void LinksPass::keepMirrored()
     }
     _retired->add(mirrored.get());
     mirrored = nullptr;
+}
+
+// The target of what points see of others close by, while there are some.
+void LinksPass::keepPointNear()
+{
+    TransportTargets& targets = _light.targets;
+    if (bool(_light.scene->pointLinks) == bool(targets.pointNear)) return;
+    if (_light.scene->pointLinks) {
+        targets.makePointNear();
+        return;
+    }
+    _retired->add(targets.pointNear.get());
+    _retired->add(targets.nearTarget.get());
+    targets.pointNear = nullptr;
+    targets.nearTarget = nullptr;
 }
 
 // The target of what rays see of surfaces, while there are rays.

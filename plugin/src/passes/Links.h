@@ -55,6 +55,7 @@ class OSGENVLIGHT_EXPORT LinksPass : public RenderPass
     void accept(const osg::ref_ptr<TransportScene>& scene);
     void showSurfaces(const StaticCasters::Parts& parts);
     void keepMirrored();
+    void keepPointNear();
     void keepCells();
     std::vector<osg::Texture2D*> surfaceTextures() const;
     void retireTargets();
