@@ -87,7 +87,7 @@ osg::ref_ptr<LitScene> makeBowlsInRoom(float albedo)
 }  // namespace
 
 // The light in a sphere that glows evenly is even. A share f of the sphere makes it 1 / (1 - f albedo) times as strong as the
-// glow. Measured: .008 too little; without links from point to point .41.
+// glow. Measured: 3 % too little, with six points in each bowl; without links from point to point 24 %.
 TEST(NearLight, WhatLiesBetweenProbesLightsItself)
 {
     SceneRenderer renderer(32, 32);

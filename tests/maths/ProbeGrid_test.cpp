@@ -31,8 +31,10 @@ struct Probed {
     double shareOf(size_t probe, int link) const
     {
         double share = 0.0;
-        for (size_t k = 0; k < ProbeGrid::directions().size(); ++k)
-            if (grid.links[probe * ProbeGrid::directions().size() + k] == link) share += double(ProbeGrid::directions()[k].share);
+        for (size_t k = 0; k < ProbeGrid::directions().size(); ++k) {
+            const ProbeGrid::Links& links = grid.links[probe * ProbeGrid::directions().size() + k];
+            share += 0.25 * double(std::count(links.begin(), links.end(), link)) * double(ProbeGrid::directions()[k].share);
+        }
         return share;
     }
 
@@ -74,13 +76,13 @@ TEST(ProbeGrid, LinksAreThePointsThatItSees)
     ASSERT_EQ(room.grid.probes() * directions.size(), room.grid.links.size());
     const float spacing = std::sqrt(2.0f * (16 + 16 + 4 * 12) / 4096.0f);  // both sides of the walls have points
     for (size_t i = 0; i < room.grid.links.size(); ++i) {
-        ASSERT_GE(room.grid.links[i], 0) << "a closed room has no sky";
+        for (const int link : room.grid.links[i]) ASSERT_GE(link, 0) << "a closed room has no sky";
         const ProbeGrid::Place& place = room.grid.places[i / directions.size()];
         EXPECT_TRUE(place.on);
         const osg::Vec3f to = directions[i % directions.size()].to;
         const auto hit = room.bvh.nearest(place.position, to);
         ASSERT_TRUE(hit);
-        const SurfacePoint& p = room.points[size_t(room.grid.links[i])];
+        const SurfacePoint& p = room.points[size_t(room.grid.links[i][0])];
         EXPECT_LT((place.position + to * hit->distance - p.position).length(), 2.0f * spacing);
         EXPECT_LT(p.normal * to, 0.0f) << "the side that faces it";
     }
@@ -99,6 +101,30 @@ TEST(ProbeGrid, SeesTheSkyOverAPlane)
         EXPECT_NEAR(0.5, probed.shareOf(i, ProbeGrid::SKY), 0.1);
     }
     EXPECT_NEAR(0.5, probed.grid.openShare(), 0.1);
+}
+
+// A single ray for each texel of directions would meet a body that is smaller in all of the texel or in none.
+TEST(ProbeGrid, SeesSmallThingsFarAway)
+{
+    TracedScene scene;
+    addBox(scene, addSurface(scene, false), osg::Vec3f(-10, -10, -10), osg::Vec3f(10, 10, 10), true);
+    addSphere(scene, addSurface(scene, true), osg::Vec3f(), 0.8f, 32);
+    const Probed probed(scene, 8);
+    const auto& directions = ProbeGrid::directions();
+    double squares = 0.0;
+    size_t count = 0;
+    for (size_t i = 0; i < probed.grid.probes(); ++i) {
+        const double distance = double(probed.grid.places[i].position.length());
+        if (distance < 4.0) continue;
+        double seen = 0.0;
+        for (size_t k = 0; k < directions.size(); ++k)
+            for (const int link : probed.grid.links[i * directions.size() + k])
+                if (link >= 0 && probed.points[size_t(link)].surface == 1) seen += 0.25 * double(directions[k].share);
+        squares += std::pow(seen / (0.5 * (1.0 - std::sqrt(1.0 - 0.64 / (distance * distance)))) - 1.0, 2.0);
+        ++count;
+    }
+    ASSERT_GT(count, 100u);
+    EXPECT_LT(std::sqrt(squares / double(count)), 0.4);  // .34; with a single ray .72
 }
 
 // What lies within a body stands for nothing: others take its place.
@@ -122,7 +148,8 @@ TEST(ProbeGrid, IsOffOrOutsideWhereABodyIs)
         const auto other = same - probed.grid.places.begin();
         const auto links = [&](std::ptrdiff_t probe) {
             const auto count = std::ptrdiff_t(ProbeGrid::directions().size());
-            return std::vector<int>(probed.grid.links.begin() + probe * count, probed.grid.links.begin() + (probe + 1) * count);
+            return std::vector<ProbeGrid::Links>(probed.grid.links.begin() + probe * count,
+                                                 probed.grid.links.begin() + (probe + 1) * count);
         };
         EXPECT_EQ(links(other), links(std::ptrdiff_t(i)));
         const size_t texels = size_t(limits::PROBE_DEPTH_SIDE * limits::PROBE_DEPTH_SIDE);

@@ -45,18 +45,25 @@ std::vector<ProbeGrid::Direction> makeDirections()
     const int side = limits::PROBE_FACE_SIDE;
     std::vector<ProbeGrid::Direction> all;
     double sum = 0.0;
-    for (int face = 0; face < 6; ++face)
-        for (int y = 0; y < side; ++y)
-            for (int x = 0; x < side; ++x) {
-                const float u = 2.0f * (float(x) + 0.5f) / float(side) - 1.0f, v = 2.0f * (float(y) + 0.5f) / float(side) - 1.0f;
-                osg::Vec3f d;
-                d[face / 2] = face % 2 ? -1.0f : 1.0f;
-                d[(face / 2 + 1) % 3] = u;
-                d[(face / 2 + 2) % 3] = v;
-                d.normalize();
-                all.push_back({d, std::pow(1.0f + u * u + v * v, -1.5f)});
-                sum += double(all.back().share);
-            }
+    for (int i = 0; i < 6 * side * side; ++i) {
+        const int face = i / (side * side);
+        const auto at = [&](const osg::Vec2f& inTexel) {
+            osg::Vec3f d;
+            d[face / 2] = face % 2 ? -1.0f : 1.0f;
+            d[(face / 2 + 1) % 3] = 2.0f * (float(i % side) + inTexel.x()) / float(side) - 1.0f;
+            d[(face / 2 + 2) % 3] = 2.0f * (float(i / side % side) + inTexel.y()) / float(side) - 1.0f;
+            return d;
+        };
+        const auto unit = [&](float x, float y) {
+            osg::Vec3f d = at(osg::Vec2f(x, y));
+            d.normalize();
+            return d;
+        };
+        const float length = at(osg::Vec2f(0.5f, 0.5f)).length();
+        all.push_back(
+            {unit(0.5f, 0.5f), 1.0f / (length * length * length), {unit(0.2f, 0.3f), unit(0.8f, 0.2f), unit(0.45f, 0.85f)}});
+        sum += double(all.back().share);
+    }
     for (ProbeGrid::Direction& d : all) d.share = float(double(d.share) / sum);
     return all;
 }
@@ -213,7 +220,7 @@ double ProbeGrid::openShare() const
     const size_t count = planes[0].size() * planes[1].size() * planes[2].size(), ofProbe = directions().size();
     std::vector<double> shares(count, 0.0);
     for (size_t i = 0; i < std::min(count * ofProbe, links.size()); ++i)
-        if (links[i] == SKY) shares[i / ofProbe] += double(directions()[i % ofProbe].share);
+        if (links[i][0] == SKY) shares[i / ofProbe] += double(directions()[i % ofProbe].share);
     const auto middle = shares.begin() + std::ptrdiff_t(closedPart * double(count));
     std::nth_element(shares.begin(), middle, shares.end());
     return *middle;
@@ -234,7 +241,7 @@ void ProbeGrid::addLevel(const TracedScene& scene, const CasterBvh& bvh, const N
                 const std::vector<Seen> seen = settle(scene, bvh, place, spacing.least);
                 place.weight = weightOf(seen, std::cbrt(spacing.widest.x() * spacing.widest.y() * spacing.widest.z()));
                 places.push_back(place);
-                addLinks(scene, nearest, place, seen);
+                addLinks(scene, bvh, nearest, place, seen);
                 addDepths(seen, spacing.widest.length());
             }
     replaceThoseOff(first);
@@ -262,33 +269,41 @@ void ProbeGrid::replaceThoseOff(size_t first)
     }
 }
 
-void ProbeGrid::addLinks(const TracedScene& scene, const NearestPoint& nearest, const Place& place, const std::vector<Seen>& seen)
+// Far away, a texel of directions is wider than what a point stands for. Without further rays, a small bright thing fills either
+// all of the texel or none.
+void ProbeGrid::addLinks(const TracedScene& scene, const CasterBvh& bvh, const NearestPoint& nearest, const Place& place,
+                         const std::vector<Seen>& seen)
 {
-    for (size_t k = 0; k < seen.size(); ++k) {
-        const Seen& s = seen[k];
-        if (s.triangle < 0) {
-            links.push_back(s.triangle);
-            continue;
-        }
+    const float far = nearest.spacing() * 0.5f * float(limits::PROBE_FACE_SIDE);
+    const auto linkOf = [&](const Seen& s, const osg::Vec3f& to) {
+        if (s.triangle < 0) return s.triangle;
         osg::Vec3f normal = scene.normal(size_t(s.triangle));
         normal.normalize();
-        links.push_back(int(nearest.find(place.position + directions()[k].to * s.distance, s.back ? -normal : normal,
-                                         scene.surfaceOf[size_t(s.triangle)])));
+        return int(
+            nearest.find(place.position + to * s.distance, s.back ? -normal : normal, scene.surfaceOf[size_t(s.triangle)]));
+    };
+    for (size_t k = 0; k < seen.size(); ++k) {
+        const Direction& d = directions()[k];
+        Links all;
+        all.fill(linkOf(seen[k], d.to));
+        for (size_t i = 0; i < d.others.size() && seen[k].distance > far; ++i)
+            all[i + 1] = linkOf(look(scene, bvh, place.position, d.others[i]), d.others[i]);
+        links.push_back(all);
     }
 }
 
-std::vector<ProbeGrid::Seen> ProbeGrid::look(const TracedScene& scene, const CasterBvh& bvh, const osg::Vec3f& from) const
+ProbeGrid::Seen ProbeGrid::look(const TracedScene& scene, const CasterBvh& bvh, const osg::Vec3f& from, const osg::Vec3f& to)
+{
+    const std::optional<CasterBvh::Hit> hit = stoppedRay(scene, bvh, from, to);
+    if (!hit) return {1e30f, SKY, false};
+    if (hit->back && scene.surfaces[scene.surfaceOf[hit->triangle]].closed) return {hit->distance, BACK, true};
+    return {hit->distance, int(hit->triangle), hit->back};
+}
+
+std::vector<ProbeGrid::Seen> ProbeGrid::lookAround(const TracedScene& scene, const CasterBvh& bvh, const osg::Vec3f& from)
 {
     std::vector<Seen> seen;
-    for (const Direction& d : directions()) {
-        const std::optional<CasterBvh::Hit> hit = stoppedRay(scene, bvh, from, d.to);
-        if (!hit)
-            seen.push_back({1e30f, SKY, false});
-        else if (hit->back && scene.surfaces[scene.surfaceOf[hit->triangle]].closed)
-            seen.push_back({hit->distance, BACK, true});
-        else
-            seen.push_back({hit->distance, int(hit->triangle), hit->back});
-    }
+    for (const Direction& d : directions()) seen.push_back(look(scene, bvh, from, d.to));
     return seen;
 }
 
@@ -311,7 +326,7 @@ std::vector<ProbeGrid::Seen> ProbeGrid::settle(const TracedScene& scene, const C
 {
     const int tries = 4;
     for (int i = 1;; ++i) {
-        std::vector<Seen> seen = look(scene, bvh, place.position);
+        std::vector<Seen> seen = lookAround(scene, bvh, place.position);
         float inside = 0.0f;
         size_t nearestBack = seen.size(), nearestFront = seen.size();
         for (size_t k = 0; k < seen.size(); ++k) {

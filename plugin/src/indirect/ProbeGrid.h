@@ -16,6 +16,8 @@ namespace osgEnvLight
 struct OSGENVLIGHT_EXPORT ProbeGrid {
     /** What a probe sees in a direction, where that is no point. */
     enum Link : int { SKY = -1, BACK = -2 };
+    /** By the ray in the middle of a direction's texel, then by rays at other places in it: the numbers of points, or Link. */
+    using Links = std::array<int, 4>;
 
     /** @param nearest  of points of the scene, not none
      * @param most     probes along the longer sides of a grid's box; half of these along the shortest
@@ -27,6 +29,7 @@ struct OSGENVLIGHT_EXPORT ProbeGrid {
     struct Direction {
         osg::Vec3f to;
         float share;
+        std::array<osg::Vec3f, 3> others;  // within the texel
     };
     static const std::vector<Direction>& directions();
 
@@ -52,7 +55,7 @@ struct OSGENVLIGHT_EXPORT ProbeGrid {
         bool on;              // else it lies within one, and all that it knows is of the nearest that is on
     };
     std::vector<Place> places;  // of each level, first along x
-    std::vector<int> links;     // of all directions of the first probe, and so on
+    std::vector<Links> links;   // of all directions of the first probe, and so on
     /** Of each probe an octahedral map of distances, depthSide texels a side: mean and mean square about a direction. */
     std::vector<std::array<float, 2>> depths;
 
@@ -62,11 +65,13 @@ struct OSGENVLIGHT_EXPORT ProbeGrid {
         int triangle;  // or SKY, BACK
         bool back;
     };
-    std::vector<Seen> look(const TracedScene& scene, const CasterBvh& bvh, const osg::Vec3f& from) const;
+    static Seen look(const TracedScene& scene, const CasterBvh& bvh, const osg::Vec3f& from, const osg::Vec3f& to);
+    static std::vector<Seen> lookAround(const TracedScene& scene, const CasterBvh& bvh, const osg::Vec3f& from);
     std::vector<Seen> settle(const TracedScene& scene, const CasterBvh& bvh, Place& place, float cell) const;
     void addLevel(const TracedScene& scene, const CasterBvh& bvh, const NearestPoint& nearest, const Level& level,
                   const std::atomic<bool>* stop);
-    void addLinks(const TracedScene& scene, const NearestPoint& nearest, const Place& place, const std::vector<Seen>& seen);
+    void addLinks(const TracedScene& scene, const CasterBvh& bvh, const NearestPoint& nearest, const Place& place,
+                  const std::vector<Seen>& seen);
     float weightOf(const std::vector<Seen>& seen, float cell) const;
     void addDepths(const std::vector<Seen>& seen, float widest);
     void replaceThoseOff(size_t first);

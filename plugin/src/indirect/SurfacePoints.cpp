@@ -161,6 +161,10 @@ NearestPoint::NearestPoint(const std::vector<SurfacePoint>& points, const Traced
     for (const SurfacePoint& p : points) box.expandBy(p.position);
     _low = box._min;
     const osg::Vec3f extent = box._max - box._min;
+    double area = 0.0;
+    for (size_t i = 0; i < scene.triangles.size(); ++i)
+        if (const double a = scene.area(i); std::isfinite(a)) area += a;
+    _spacing = float(std::sqrt(area / double(std::max(points.size(), size_t(1)))));
     _penalty = focus.radius > 0.0 ? float(0.04 * focus.radius * focus.radius) : 0.01f * extent.length2();
     _width = std::max({extent.x(), extent.y(), extent.z(), 1e-30f}) / 24.0f;
     const size_t mostCells = 16 * points.size();  // points lie on surfaces, and may crowd about a focus: most cells have none

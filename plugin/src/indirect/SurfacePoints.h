@@ -46,6 +46,9 @@ class OSGENVLIGHT_EXPORT NearestPoint
      * @param normal  of unit length */
     unsigned find(const osg::Vec3f& position, const osg::Vec3f& normal, unsigned surface) const;
 
+    /** Side of the square that a point stands for, as a mean. */
+    float spacing() const { return _spacing; }
+
   private:
     using Accept = std::function<bool(const SurfacePoint&)>;
     static constexpr unsigned none = ~0u;
@@ -61,6 +64,7 @@ class OSGENVLIGHT_EXPORT NearestPoint
     float _width = 0.0f;          // of a cell
     std::array<int, 3> _cells{};  // along each axis
     float _penalty = 0.0f;
+    float _spacing = 0.0f;
     std::vector<unsigned> _starts;  // of each cell, in _order
     std::vector<unsigned> _order;   // numbers of points, by cells
 };

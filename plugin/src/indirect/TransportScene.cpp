@@ -59,10 +59,7 @@ TransportScene::TransportScene(const TracedScene& scene, const osg::Vec3d& place
     openShare = grid.openShare();
     if (mostOpen > 0.0 && openShare <= mostOpen && triangles <= SceneRays::mostTriangles)
         rays = new SceneRays(scene, bvh, parts, partsPerPoint);
-    double area = 0.0;
-    for (size_t i = 0; i < triangles; ++i)
-        if (const double a = scene.area(i); std::isfinite(a)) area += a;
-    pointSpacing = std::sqrt(area / double(points.size()));
+    pointSpacing = double(nearest.spacing());
     writeParts(parts);
     writePoints(points);
     writePointLinks(links);
@@ -150,8 +147,10 @@ void TransportScene::writeProbes(const ProbeGrid& grid)
 
     const auto& all = ProbeGrid::directions();
     const int perTexel = limits::HARMONICS_TEXTURES;
-    Texels links(int(all.size()), probes, 1), basis(int(all.size()), limits::PROBE_HARMONICS / perTexel, perTexel);
-    for (size_t i = 0; i < grid.links.size(); ++i) *links.at(int(i)) = float(grid.links[i]);
+    Texels links(int(all.size()), probes, 4), basis(int(all.size()), limits::PROBE_HARMONICS / perTexel, perTexel);
+    const auto code = [](int link) { return float(link + 2) / 65535.0f; };
+    for (size_t i = 0; i < grid.links.size(); ++i)
+        std::transform(grid.links[i].begin(), grid.links[i].end(), links.at(int(i)), code);
     for (int k = 0; k < limits::PROBE_HARMONICS; ++k)
         for (size_t i = 0; i < all.size(); ++i) {
             const double band = k < 1 ? 1.0 : k < 4 ? 2.0 / 3.0 : 0.25;  // A_l / pi [Ramamoorthi, Hanrahan 2001]
@@ -159,7 +158,7 @@ void TransportScene::writeProbes(const ProbeGrid& grid)
             basis.at(int(i), k / perTexel)[k % perTexel] =
                 float(4.0 * M_PI * double(all[i].share) * band * glsl::shBasis18(k, d));
         }
-    probeLinks = links.texture(GL_R32F);
+    probeLinks = links.texture(GL_RGBA16);
     probeBasis = basis.texture(GL_RGB32F_ARB);
 
     const int side = limits::PROBE_DEPTH_SIDE, tile = side + 2;

@@ -45,7 +45,7 @@ class OSGENVLIGHT_EXPORT TransportScene : public osg::Referenced
     osg::ref_ptr<osg::Texture2D> partPlaces, partNormals;
     // columns x columns: position, and how much it counts: less than 1 where another stands for a probe within a body.
     osg::ref_ptr<osg::Texture2D> probePlaces;
-    // One row a probe, one texel a direction: the number of the point that is seen, or ProbeGrid::Link.
+    // One row a probe, one texel a direction, 16 bits: 2 more than each of its ProbeGrid::Links.
     osg::ref_ptr<osg::Texture2D> probeLinks;
     // One row for three spherical harmonics, one texel a direction: their values there, times the direction's share of the sphere
     // and what a cosine leaves of the harmonic's band, over pi.
