@@ -4,7 +4,8 @@
 // would send on of it. Alpha is the cosine-weighted share of directions that these surfaces fill.
 #include "lib/limits.glsl"
 
-uniform sampler2D pointLinkMap;  // of each point, side by side: the number of the point that it sees in a direction; -1 nothing close, -2 the inside of a body
+// Of each point, side by side, what it sees in a direction: the number of a point, -1 for nothing close, or -2 for the inside of a body.
+uniform sampler2D pointLinkMap;
 uniform sampler2D pointRadianceMap;
 
 layout(location = 0) out vec4 near;

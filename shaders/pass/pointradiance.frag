@@ -1,8 +1,9 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
 // Surface points send on a share of the light that they receive: from the map, and from each other. The probes know the latter as they
-// were a bounce ago, so each draw adds a bounce [indirect.md 4]. What lies closer than the next probe is known by links from point to point. The light can't grow without end: of the others' light a point takes no
-// more than the share of directions in which it does not see the map.
+// were a bounce ago, so each draw adds a bounce [indirect.md 4]. What is closer than the next probe is known by links from point to point.
+// The light can't grow without end: of the others' light a point takes no more than the share of directions in which it does not see the
+// map.
 #pragma import_defines(HAS_EMISSION, HAS_GLOSS, HAS_POINT_LINKS, FIRST_BOUNCE)
 
 #include "pass/hostcolor.glsl"
