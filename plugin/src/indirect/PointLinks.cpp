@@ -15,7 +15,8 @@ namespace osgEnvLight
 namespace
 {
 
-// In how many directions something is close where probes, which do not fit in or see much of the hollow, say nothing of the rest.
+// A point lies in a hollow if something is close in so many directions. Probes do not fit into the hollow, so it does not ask
+// them.
 const int hollow = limits::POINT_LINKS / 4;
 
 // Direction k of point i: Hammersley's set, moved in another way for each point.
@@ -43,11 +44,8 @@ class Linker
         const osg::Vec3f from = _points[i].position + _points[i].normal * lift, to = directionOf(_points[i], i, k);
         const std::optional<CasterBvh::Hit> hit = stoppedRay(_scene, _bvh, from, to, within);
         if (!hit) return NOTHING;
-        const unsigned surface = _scene.surfaceOf[hit->triangle];
-        if (hit->back && _scene.surfaces[surface].closed) return INSIDE_OF_BODY;
-        osg::Vec3f normal = _scene.normal(hit->triangle);
-        normal.normalize();
-        return int(_nearest.find(from + to * hit->distance, hit->back ? -normal : normal, surface));
+        if (hit->back && _scene.surfaces[_scene.surfaceOf[hit->triangle]].closed) return INSIDE_OF_BODY;
+        return int(_nearest.find(from + to * hit->distance, hit->triangle, hit->back));
     }
 
   private:

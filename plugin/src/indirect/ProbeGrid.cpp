@@ -276,11 +276,7 @@ void ProbeGrid::addLinks(const TracedScene& scene, const CasterBvh& bvh, const N
 {
     const float far = nearest.spacing() * 0.5f * float(limits::PROBE_FACE_SIDE);
     const auto linkOf = [&](const Seen& s, const osg::Vec3f& to) {
-        if (s.triangle < 0) return s.triangle;
-        osg::Vec3f normal = scene.normal(size_t(s.triangle));
-        normal.normalize();
-        return int(
-            nearest.find(place.position + to * s.distance, s.back ? -normal : normal, scene.surfaceOf[size_t(s.triangle)]));
+        return s.triangle < 0 ? s.triangle : int(nearest.find(place.position + to * s.distance, unsigned(s.triangle), s.back));
     };
     for (size_t k = 0; k < seen.size(); ++k) {
         const Direction& d = directions()[k];

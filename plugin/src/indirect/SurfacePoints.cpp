@@ -205,6 +205,13 @@ unsigned NearestPoint::find(const osg::Vec3f& position, const osg::Vec3f& normal
     return seen == none ? nearest : seen;
 }
 
+unsigned NearestPoint::find(const osg::Vec3f& position, unsigned triangle, bool back) const
+{
+    osg::Vec3f normal = _scene.normal(triangle);
+    normal.normalize();
+    return find(position, back ? -normal : normal, _scene.surfaceOf[triangle]);
+}
+
 // From above the one to above the other, as far as on a surface that bends a little between them.
 bool NearestPoint::sees(const osg::Vec3f& position, const osg::Vec3f& normal, const SurfacePoint& point) const
 {

@@ -46,6 +46,9 @@ class OSGENVLIGHT_EXPORT NearestPoint
      * @param normal  of unit length */
     unsigned find(const osg::Vec3f& position, const osg::Vec3f& normal, unsigned surface) const;
 
+    /** The same where a ray meets a triangle. back: from behind. */
+    unsigned find(const osg::Vec3f& position, unsigned triangle, bool back) const;
+
     /** Side of the square that a point stands for, as a mean. */
     float spacing() const { return _spacing; }
 
