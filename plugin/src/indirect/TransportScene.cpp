@@ -40,6 +40,12 @@ double spacingOf(const ProbeGrid::Planes& planes)
     return medians[1];
 }
 
+// Of a ProbeGrid::Link, a PointLink or a point's number, as pass/pointlink.glsl reads it from 16 bits.
+float linkCode(int link)
+{
+    return float(link + 2) / 65535.0f;
+}
+
 }  // namespace
 
 TransportScene::TransportScene(const TracedScene& scene, const osg::Vec3d& place, int most, double mostOpen,
@@ -82,8 +88,8 @@ void TransportScene::writePointLinks(const std::vector<int>& links)
 {
     if (std::all_of(links.begin(), links.end(), [](int link) { return link == NOTHING; })) return;
     Texels texels(limits::POINT_LINKS * pointSide, pointSide, 1);
-    for (size_t i = 0; i < links.size(); ++i) *texels.at(int(i)) = float(links[i]);
-    pointLinks = texels.texture(GL_R32F);
+    for (size_t i = 0; i < links.size(); ++i) *texels.at(int(i)) = linkCode(links[i]);
+    pointLinks = texels.texture(GL_R16);
 }
 
 void TransportScene::writeParts(const std::vector<SurfacePart>& parts)
@@ -148,9 +154,8 @@ void TransportScene::writeProbes(const ProbeGrid& grid)
     const auto& all = ProbeGrid::directions();
     const int perTexel = limits::HARMONICS_TEXTURES;
     Texels links(int(all.size()), probes, 4), basis(int(all.size()), limits::PROBE_HARMONICS / perTexel, perTexel);
-    const auto code = [](int link) { return float(link + 2) / 65535.0f; };
     for (size_t i = 0; i < grid.links.size(); ++i)
-        std::transform(grid.links[i].begin(), grid.links[i].end(), links.at(int(i)), code);
+        std::transform(grid.links[i].begin(), grid.links[i].end(), links.at(int(i)), linkCode);
     for (int k = 0; k < limits::PROBE_HARMONICS; ++k)
         for (size_t i = 0; i < all.size(); ++i) {
             const double band = k < 1 ? 1.0 : k < 4 ? 2.0 / 3.0 : 0.25;  // A_l / pi [Ramamoorthi, Hanrahan 2001]

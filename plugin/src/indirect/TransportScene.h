@@ -39,13 +39,14 @@ class OSGENVLIGHT_EXPORT TransportScene : public osg::Referenced
 
     // POINT_SIDE x POINT_SIDE, one texel a point: position; normal and 1.
     osg::ref_ptr<osg::Texture2D> pointPlaces, pointNormals;
-    // POINT_LINKS x POINT_SIDE wide: of each point, side by side, linkPoints(); null: no surface is close to another.
+    // POINT_LINKS x POINT_SIDE wide: of each point, side by side, linkPoints() in the same codes; null: no surface is close to
+    // another.
     osg::ref_ptr<osg::Texture2D> pointLinks;
     // The same of their parts, POINT_PART_SIDE x POINT_PART_SIDE texels in the place of a point's.
     osg::ref_ptr<osg::Texture2D> partPlaces, partNormals;
     // columns x columns: position, and how much it counts: less than 1 where another stands for a probe within a body.
     osg::ref_ptr<osg::Texture2D> probePlaces;
-    // One row a probe, one texel a direction, 16 bits: 2 more than each of its ProbeGrid::Links.
+    // One row a probe, one texel a direction: its ProbeGrid::Links, as pass/pointlink.glsl reads them.
     osg::ref_ptr<osg::Texture2D> probeLinks;
     // One row for three spherical harmonics, one texel a direction: their values there, times the direction's share of the sphere
     // and what a cosine leaves of the harmonic's band, over pi.
