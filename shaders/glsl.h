@@ -129,6 +129,7 @@ inline vec4 textureLod(const sampler2D& s, vec2 st, double)
 #include "lib/roughdiffusesky.glsl"
 #include "lib/scenelight.glsl"
 #include "lib/sequence.glsl"
+#include "lib/sharedexponent.glsl"
 #include "lib/sh.glsl"
 #include "lib/slices.glsl"
 #include "lib/strauss.glsl"

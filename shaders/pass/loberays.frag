@@ -6,8 +6,10 @@
 // the map that the first frame saw [pass/lobeshown.glsl]. The ray adds L (1 - V) if it meets nothing, else -L V: the mean corrects S.
 #pragma import_defines(HAS_AREA_LIGHTS, MAP_IS_BLACK)
 #include "lib/lobesample.glsl"
+#include "lib/sharedexponent.glsl"
 #include "pass/pixelof.glsl"
 #include "pass/pixelray.glsl"
+#include "pass/raysurface.glsl"
 #include "pass/lightmark.glsl"
 #include "pass/lobeshown.glsl"
 #include "pass/lobewidth.glsl"
@@ -24,9 +26,9 @@ uniform float radianceScale;
 
 // All are over the pixel's reflectance, so that the filter can average pixels of other colours.
 layout(location = 0) out vec4 change;    // radiance: of the map, and what is met emits
-layout(location = 1) out vec4 place;     // of what is met, about the origin of the triangles; alpha: 1 + the number of its surface; 0: none
-layout(location = 2) out uvec4 surface;  // there: normal, direction of the ray, share of light that the diffuse layer sends on
-layout(location = 3) out vec4 passed;    // share of the light from there that the lobe passes on, the lobe's roughness
+layout(location = 1) out vec4 place;     // of what is met, about the origin of the triangles; alpha: packSurface(); 0: none
+layout(location = 2) out uvec4 surface;  // there: normal, direction of the ray, share of light that the diffuse layer sends on; share of
+                                         // the light from there that the lobe passes on
 
 // The lobe of a pixel, or the one of its two that this frame takes.
 struct RayLobe {
@@ -80,7 +82,6 @@ void main()
     change = vec4(0.0);
     place = vec4(0.0);
     surface = uvec4(0u);
-    passed = vec4(0.0);
     RayLobe l = rayLobe(p);
     LobeSample s = sampleLobe(l.bsdf, l.view, fract(rayPoint(p)));
     if (max(s.weight.r, max(s.weight.g, s.weight.b)) <= 0.0) return;
@@ -109,8 +110,7 @@ void main()
 #endif
     }
     change.rgb += weight * emission;
-    place = vec4(from + met.distance * (placesDirection * along), float(met.surface + 1));
+    place = vec4(from + met.distance * (placesDirection * along), packSurface(met.surface, evenRoughness(l.bsdf)));
     surface = uvec4(packUnorm2x16(octahedralFromDirection(normal)), packUnorm2x16(octahedralFromDirection(placesDirection * along)),
-                    packHalf2x16(layers.diffuse.rg), packHalf2x16(vec2(layers.diffuse.b, 0.0)));
-    passed = vec4(weight, evenRoughness(l.bsdf));
+                    packSharedExponent(layers.diffuse), packSharedExponent(weight));
 }

@@ -51,7 +51,6 @@ void LobeRaysPass::setup(PassBuilder& b, FrameContext& c)
     b.write(b.create("lobe ray change", exact));
     b.write(b.create("lobe ray place", exact));
     b.write(b.create("lobe ray surface", packedSurface));
-    b.write(b.create("lobe ray weight", exact));
 }
 
 Requirement LobeRayLightPass::require(const FrameContext& c) const
@@ -64,7 +63,6 @@ void LobeRayLightPass::setup(PassBuilder& b, FrameContext& c)
     if (!c.isAccumulating()) return;
     b.read(b.find("lobe ray place"), "rayPlaceMap");
     b.read(b.find("lobe ray surface"), "raySurfaceMap");
-    b.read(b.find("lobe ray weight"), "rayWeightMap");
     readPathLight(b, c, name());
     drawGlossy(b);
     b.write(b.create("lobe ray light", exact));
