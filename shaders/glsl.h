@@ -115,6 +115,7 @@ inline vec4 textureLod(const sampler2D& s, vec2 st, double)
 #include "lib/fresnel.glsl"
 #include "lib/ggx.glsl"
 #include "lib/glint.glsl"
+#include "lib/guide.glsl"
 #include "lib/latlong.glsl"
 #include "lib/lightcut.glsl"
 #include "lib/lobesample.glsl"

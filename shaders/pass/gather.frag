@@ -37,12 +37,14 @@ void main()
     ivec2 p = ivec2(gl_FragCoord.xy);
     vec3 n = pixelNormal(p);
     vec3 origin = vec3(placesFromEye * vec4(rayOrigin(p, n), 1.0));
-    mat3 placesFromLocal = mat3(placesFromEye) * frameAround(n);
+    vec3 placesNormal = mat3(placesFromEye) * n;
     vec2 first = rayPoint(p);
     vec3 sum = vec3(0.0);
     for (int k = 0; k < accumulateRays; ++k) {
-        vec3 along = placesFromLocal * phongSample(1.0, fract(first + float(k) * NEXT_RAY));
-        sum += lightAlong(origin, along, rayPixel(p), uint(sampleFrames) * uint(accumulateRays) + uint(k));
+        uint number = uint(sampleFrames) * uint(accumulateRays) + uint(k);
+        GuidedRay ray = guidedRay(origin, placesNormal, fract(first + float(k) * NEXT_RAY), pixelNumber(rayPixel(p), 0x10000000u + number));
+        if (ray.weight <= 0.0) continue;
+        sum += ray.weight * lightAlong(origin, ray.along, rayPixel(p), number);
     }
     rayLight = vec4(radianceScale * sum / float(accumulateRays), 1.0);
 }

@@ -8,8 +8,8 @@
 #include "lib/frame.glsl"
 #include "lib/fresnel.glsl"
 #include "lib/ggx.glsl"
-#include "lib/phong.glsl"
 #include "pass/atlas.glsl"
+#include "pass/guidedray.glsl"
 #include "pass/maplight.glsl"
 #include "pass/pixelray.glsl"
 #include "pass/probegrid.glsl"
@@ -166,7 +166,7 @@ vec3 pathLight(PathSurface s, float blur, int virtualLights, uint pixel, uint ra
     vec3 reflected = vec3(1.0);
     for (int i = 0; i < PATH_SURFACES; ++i) {
         bool isLast = i + 1 == PATH_SURFACES;
-        uint number = 3u * (uint(PATH_SURFACES) * ray + uint(i));
+        uint number = 4u * (uint(PATH_SURFACES) * ray + uint(i));
         vec2 u = vec2(pixelNumber(pixel, number), pixelNumber(pixel, number + 1u));
         float chance = brightness(s.layers.glossy) / max(brightness(s.layers.diffuse + s.layers.glossy), 1e-20);
         bool isLobe = !isLast && pixelNumber(pixel, number + 2u) < chance;
@@ -188,10 +188,12 @@ vec3 pathLight(PathSurface s, float blur, int virtualLights, uint pixel, uint ra
         } else {
             reflected *= isLast ? s.layers.diffuse + s.layers.glossy : s.layers.diffuse / (1.0 - chance);
             sum += reflected * lightAt(s.place, s.normal, isLast);
-            along = frameAround(s.normal) * phongSample(1.0, u);
+            GuidedRay next = guidedRay(origin, s.normal, u, pixelNumber(pixel, number + 3u));
+            along = next.along;
+            reflected *= next.weight;
             blur = 1.0;
         }
-        if (isLast) break;
+        if (isLast || max(reflected.r, max(reflected.g, reflected.b)) <= 0.0) break;
         SceneHit met = nextHit(origin, along);
         if (met.distance == MISSED) {
             if (isLobe) sum += reflected * mapAlong(along, density);

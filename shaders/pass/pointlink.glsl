@@ -7,11 +7,17 @@
 
 uniform sampler2D pointRadianceMap;
 
+// The number of the point that is met; negative: none.
+int linkedPoint(float code)
+{
+    return int(65535.0 * code + 0.5) - 2;
+}
+
 // The radiance that comes along the ray; alpha is 1 if the ray meets a surface. Code 0 is the inside of a body, 1 no surface, and from 2
 // on the codes are the numbers of points.
 vec4 linkSends(float code)
 {
-    int point = int(65535.0 * code + 0.5) - 2;
+    int point = linkedPoint(code);
     if (point == -1) return vec4(0.0);
     if (point < 0) return vec4(0.0, 0.0, 0.0, 1.0);
     return vec4(texelFetch(pointRadianceMap, ivec2(point % POINT_SIDE, point / POINT_SIDE), 0).rgb, 1.0);

@@ -295,7 +295,8 @@ TEST_F(FrameGraphTest, EveryPassIsInThePlan)
                              "glossyocclusion", "sunquads",    "gather",
                              "gatherfilter",    "loberays",    "loberaylight",
                              "loberayfilter",   "temporal",    "motion",
-                             "lighttotals",     "nearlight",   "nearlightfilter"})
+                             "lighttotals",     "nearlight",   "nearlightfilter",
+                             "guides"})
         EXPECT_NE("", lit->plan().reason(pass)) << pass;
 }
 

@@ -144,6 +144,7 @@ void TransportScene::writeProbes(const ProbeGrid& grid)
     const int probes = int(grid.probes());
     columns = int(std::ceil(std::sqrt(double(probes))));
     uniforms->addUniform(new osg::Uniform("probeColumns", columns));
+    uniforms->addUniform(new osg::Uniform("pointSpacing", float(pointSpacing)));
     Texels places(columns, columns, 4);
     for (int i = 0; i < probes; ++i) {
         const ProbeGrid::Place& place = grid.places[size_t(i)];

@@ -4,6 +4,7 @@
 #include "passes/AreaLights.h"
 #include "passes/Caustics.h"
 #include "passes/Gather.h"
+#include "passes/Guides.h"
 #include "passes/Indirect.h"
 #include "passes/Lighting.h"
 #include "passes/Links.h"
@@ -72,6 +73,7 @@ LitView::LitView(Failure* failure, RetiredObjects* retired, SurfaceSorter* sorte
     graph.add(new ResolvePass);
     graph.add(new ReflectionsPass);
     graph.add(new ReflectionFilterPass);
+    graph.add(new GuidesPass);
     graph.add(new GatherPass);
     graph.add(new GatherFilterPass);
     graph.add(new LobeRaysPass);

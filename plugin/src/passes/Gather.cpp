@@ -30,6 +30,7 @@ void readPathLight(PassBuilder& b, FrameContext& c, const std::string& pass)
 {
     readTracedScene(b, *c.indirect);
     readProbes(b, *c.indirect);
+    b.read(b.find("guides"), "guideMap");
     readSkyMaps(b, c, pass, *c.stillMaps, nullptr);
     readReceivedLight(b, c, pass, *c.stillMaps);
     if (c.facts.mapIsBlack) return;
