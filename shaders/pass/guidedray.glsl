@@ -66,9 +66,13 @@ GuidedRay guidedRay(vec3 place, vec3 n, vec2 u, float v)
     vec3 along;
     if (u.x < share) {
         float rest = u.x / share * g.sum;
-        int k = 0;
-        while (k + 1 < GUIDES && rest >= g.weight[k]) rest -= g.weight[k++];
-        along = guideDirection(g.sphere[k].xyz, g.sphere[k].w, vec2(clamp(rest / max(g.weight[k], 1e-30), 0.0, 1.0), u.y));
+        int chosen = -1;  // of those that weigh anything, whatever rounding leaves
+        for (int k = 0; k < GUIDES && (chosen < 0 || rest >= g.weight[chosen]); ++k) {
+            if (g.weight[k] <= 0.0) continue;
+            if (chosen >= 0) rest -= g.weight[chosen];
+            chosen = k;
+        }
+        along = guideDirection(g.sphere[chosen].xyz, g.sphere[chosen].w, vec2(min(rest / g.weight[chosen], 1.0), u.y));
     } else {
         along = frameAround(n) * phongSample(1.0, vec2((u.x - share) / (1.0 - share), u.y));
     }

@@ -205,7 +205,7 @@ TEST(Gather, LampsInARoomLightItAsInFullTransport)
 }
 
 // Most of what the walls get from others comes from inside of a shade, which one ray in hundreds finds by chance. Between the
-// means of 17 and of 35 frames, half of the pixels change by more than .032; by .069 if no ray is aimed.
+// means of 17 frames and of more, half of the pixels change by more than .032; by .069 if no ray is aimed.
 TEST(Gather, RaysAreAimedAtAShadedLamp)
 {
     const osg::ref_ptr<LitScene> lit = makeRoom(constantMap(0.0).get(), true);

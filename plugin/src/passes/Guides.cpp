@@ -12,13 +12,15 @@ Requirement GuidesPass::require(const FrameContext& c) const
     return requireGather(c).because("the bright places that probes see, to which rays are aimed");
 }
 
-// What the first of a still view's frames finds serves them all.
+// What one of a still view's frames finds serves those that follow.
 void GuidesPass::setup(PassBuilder& b, FrameContext& c)
 {
-    if (!c.isAccumulating()) return;
+    const bool found = _found;
+    _found = c.isAccumulating();
+    if (!_found) return;
     const IndirectLight& light = *c.indirect;
     const TextureId guides = b.create("guides", {GL_RGBA32UI_EXT, light.scene->columns + limits::GUIDE_ROWS, true});
-    if (c.still->frames() > 1) {
+    if (found) {
         b.keepContents();
         return;
     }

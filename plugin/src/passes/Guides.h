@@ -15,6 +15,10 @@ class OSGENVLIGHT_EXPORT GuidesPass : public RenderPass
     const char* name() const override { return "guides"; }
     Requirement require(const FrameContext& context) const override;
     void setup(PassBuilder& builder, FrameContext& context) override;
+    void dismiss(FrameContext&) override { _found = false; }
+
+  private:
+    bool _found = false;  // in this still view
 };
 
 }  // namespace osgEnvLight
