@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The next ray of a path from a Lambert layer. Most light may come from a few bright places that few rays would find by chance. Some rays
-// are aimed there; the others lie as the layer weighs directions [one-sample multiple importance sampling: Veach 1997, 9.2.4]. A probe
-// close by knows which of these places send light this way; the mean over the rays is right whatever it says.
+// The next ray of a path from a Lambert layer. Much light may come from small bright places, which few cosine-weighted rays find. So some
+// rays are aimed at them, and the rest are cosine-weighted [one-sample multiple importance sampling: Veach 1997, 9.2.4]. A probe close by
+// says which places send light here. Whatever it says, the mean over the rays is right.
 #ifndef GUIDEDRAY_GLSL
 #define GUIDEDRAY_GLSL
 

@@ -1,8 +1,8 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// Bright places about a probe, from which few directions bring much of its light. Surface points that follow each other are neighbours:
-// GUIDE_POINTS of them are a guide, a sphere about those of them that are bright. A texel is a probe: the guides that send it most, two in
-// each number, as packGuide() says. The rows after the probes' have the guides' spheres.
+// The bright places that a probe sees. Surface points that follow each other are neighbours. Each GUIDE_POINTS of them make a guide: a
+// sphere about those that are bright. The first rows have a texel for each probe. It holds the guides that send the probe most light, two
+// in each channel, as packGuide() says. The last rows have a texel for each guide: its sphere.
 #include "lib/guide.glsl"
 #include "lib/limits.glsl"
 #include "lib/tone.glsl"
@@ -16,11 +16,11 @@ uniform float pointSpacing;  // side of the square that a point stands for
 
 layout(location = 0) out uvec4 guide;
 
-// RMS of single rays in a living room with a shaded lamp: .255 without guides; .12 to .15 with 2, 4, 8 here, which is chance. In an atrium
-// with the sun .0138; .0127, .0116 with 2, 4.
-const float BRIGHT = 4.0;  // times what a probe sees on the whole
+// A direction is bright if it brings so many times what is usual at the probe. Noise (RMS) of single rays: in a living room with a shaded
+// lamp .255 without guides, and .12 to .15 with 2, 4 and 8; in a sunlit atrium .0138 without, .0127 and .0116 with 2 and 4.
+const float BRIGHT = 4.0;
 
-float brightness(float code)
+float sentLuminance(float code)
 {
     return max(luminance(linkSends(code).rgb), 0.0);
 }
@@ -31,8 +31,7 @@ vec4 sphereOf(int number)
     vec4 places[GUIDE_POINTS];
     float most = 0.0;
     for (int i = 0; i < GUIDE_POINTS; ++i) {
-        int point = GUIDE_POINTS * number + i;
-        ivec2 texel = ivec2(point % POINT_SIDE, point / POINT_SIDE);
+        ivec2 texel = pointTexel(GUIDE_POINTS * number + i);
         places[i] = vec4(texelFetch(pointPlaceMap, texel, 0).xyz, luminance(texelFetch(pointRadianceMap, texel, 0).rgb));
         most = max(most, places[i].w);
     }
@@ -51,8 +50,9 @@ struct Strongest {
     float light[GUIDES];
 };
 
-// What is not yet among them takes the place of the weakest, and its count [Metwally, Agrawal, El Abbadi 2005].
-void count(int number, float light, inout Strongest found)
+// Adds light to that of a guide. A guide that is not among them replaces the weakest and takes over its sum
+// [Space-Saving: Metwally, Agrawal, El Abbadi 2005].
+void countLight(int number, float light, inout Strongest found)
 {
     int at = 0;
     for (int k = 0; k < GUIDES; ++k) {
@@ -64,10 +64,10 @@ void count(int number, float light, inout Strongest found)
 }
 
 // The square of the mean of the square roots: few bright directions hardly change it.
-float usualBrightness(int probe, int directions)
+float usualLuminance(int probe, int directions)
 {
     float sum = 0.0;
-    for (int i = 0; i < directions; ++i) sum += sqrt(brightness(texelFetch(probeLinkMap, ivec2(i, probe), 0).r));
+    for (int i = 0; i < directions; ++i) sum += sqrt(sentLuminance(texelFetch(probeLinkMap, ivec2(i, probe), 0).r));
     float mean = sum / float(directions);
     return mean * mean;
 }
@@ -75,7 +75,7 @@ float usualBrightness(int probe, int directions)
 uvec4 guidesOf(int probe)
 {
     int directions = textureSize(probeBasisMap, 0).x;
-    float least = BRIGHT * usualBrightness(probe, directions);
+    float least = BRIGHT * usualLuminance(probe, directions);
     Strongest found;
     for (int k = 0; k < GUIDES; ++k) {
         found.number[k] = -1;
@@ -84,8 +84,8 @@ uvec4 guidesOf(int probe)
     for (int i = 0; i < directions; ++i) {
         vec4 codes = texelFetch(probeLinkMap, ivec2(i, probe), 0);
         for (int k = 0; k < 4; ++k) {
-            float sent = brightness(codes[k]);
-            if (sent > least) count(linkedPoint(codes[k]) / GUIDE_POINTS, sent * sent, found);
+            float sent = sentLuminance(codes[k]);
+            if (sent > least) countLight(linkedPoint(codes[k]) / GUIDE_POINTS, sent * sent, found);
         }
     }
     for (int k = 0; k < GUIDES; ++k) found.light[k] = 0.0;
@@ -94,7 +94,7 @@ uvec4 guidesOf(int probe)
         vec4 codes = texelFetch(probeLinkMap, ivec2(i, probe), 0);
         float weight = texelFetch(probeBasisMap, ivec2(i, 0), 0).r;  // the direction's solid angle, times a constant
         for (int k = 0; k < 4; ++k) {
-            float sent = weight * brightness(codes[k]);
+            float sent = weight * sentLuminance(codes[k]);
             all += sent;
             if (sent <= 0.0) continue;
             int number = linkedPoint(codes[k]) / GUIDE_POINTS;

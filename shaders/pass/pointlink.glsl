@@ -7,6 +7,12 @@
 
 uniform sampler2D pointRadianceMap;
 
+// Where the textures of points have a point.
+ivec2 pointTexel(int point)
+{
+    return ivec2(point % POINT_SIDE, point / POINT_SIDE);
+}
+
 // The number of the point that is met; negative: none.
 int linkedPoint(float code)
 {
@@ -20,7 +26,7 @@ vec4 linkSends(float code)
     int point = linkedPoint(code);
     if (point == -1) return vec4(0.0);
     if (point < 0) return vec4(0.0, 0.0, 0.0, 1.0);
-    return vec4(texelFetch(pointRadianceMap, ivec2(point % POINT_SIDE, point / POINT_SIDE), 0).rgb, 1.0);
+    return vec4(texelFetch(pointRadianceMap, pointTexel(point), 0).rgb, 1.0);
 }
 
 #endif

@@ -7,9 +7,9 @@
 
 #include "lib/limits.glsl"
 #include "pass/hostcolor.glsl"
+#include "pass/pointlink.glsl"
 
 uniform sampler2D cellPointMap;
-uniform sampler2D pointRadianceMap;
 uniform sampler2D pointDiffuseMap;
 #ifdef HAS_GLOSS
 uniform sampler2D pointGlossyMap;
@@ -34,7 +34,7 @@ void main()
         int texel = 2 * texels * p.x + k / 4;
         int number = int(texelFetch(cellPointMap, ivec2(texel, p.y), 0)[k & 3]);
         float weight = texelFetch(cellPointMap, ivec2(texel + texels, p.y), 0)[k & 3];
-        ivec2 q = ivec2(number % POINT_SIDE, number / POINT_SIDE);
+        ivec2 q = pointTexel(number);
         vec3 radiance = texelFetch(pointRadianceMap, q, 0).rgb;
         vec3 reflectance = texelFetch(pointDiffuseMap, q, 0).rgb;
 #ifdef HAS_EMISSION
