@@ -11,8 +11,6 @@
 #include <osg/ColorMask>
 #include <osg/LightModel>
 #include <osg/Program>
-#include <osg/TexEnv>
-#include <osg/TexGen>
 #include <osg/Texture2D>
 
 #include <algorithm>
@@ -155,17 +153,6 @@ void SurfaceState::mergeAttribute(osg::StateAttribute::Type type, const osg::Sta
     }
 }
 
-void SurfaceState::mergeTextures(const osg::StateSet& s)
-{
-    const auto& modes = s.getTextureModeList();
-    for (size_t unit = 0; unit < std::min(modes.size(), _units.size()); ++unit)
-        for (const auto& [mode, value] : modes[unit]) _units[unit].mergeMode(mode, value);
-    const auto& attributes = s.getTextureAttributeList();
-    for (size_t unit = 0; unit < std::min(attributes.size(), _units.size()); ++unit)
-        for (const auto& [key, pair] : attributes[unit]) _units[unit].mergeAttribute(key.first, pair);
-    for (size_t unit = 0; unit < _units.size(); ++unit) _stages[unit] = _units[unit].stage(unit == 0);
-}
-
 void SurfaceState::enterNode()
 {
     _ownProgram = false;
@@ -173,81 +160,6 @@ void SurfaceState::enterNode()
     for (Mode* m : {&_stencil, &_scissor, &_logicOp, &_vertexProgram, &_fragmentProgram}) m->on = false;
     _colorMask.attribute = nullptr;
     _nodeDepth = _depth.as<osg::Depth>();
-}
-
-const osg::Texture* SurfaceState::texture() const
-{
-    const TextureUnit& unit = _units[0];
-    if (!unit.texturing.on || paintedReflection() || _stages[0].kind == limits::STAGE_NORMALS) return nullptr;
-    const auto* t = unit.texture.as<osg::Texture>();
-    return t && SurfaceFacts::hasTexels(*t) ? t : nullptr;
-}
-
-bool SurfaceState::paintedReflection() const
-{
-    const auto* gen = _units[0].texGen[0].on ? _units[0].texGenMode.as<osg::TexGen>() : nullptr;
-    const bool mapped = gen && (gen->getMode() == osg::TexGen::SPHERE_MAP || gen->getMode() == osg::TexGen::REFLECTION_MAP ||
-                                gen->getMode() == osg::TexGen::NORMAL_MAP);
-    return mapped && _units[0].hasTexels();
-}
-
-bool SurfaceState::paintedHighlight() const
-{
-    const auto* env = paintedReflection() ? _units[0].texEnv.as<osg::TexEnv>() : nullptr;
-    return env && env->getMode() == osg::TexEnv::ADD;
-}
-
-SurfaceState::TextureMode SurfaceState::textureMode() const
-{
-    if (!texture()) return TEXTURE_MODULATES;
-    switch (_stages[0].kind) {
-        case limits::STAGE_REPLACE:
-            return TEXTURE_REPLACES;
-        case limits::STAGE_DECAL:
-            return TEXTURE_DECAL;
-        case limits::STAGE_BLEND:
-            return TEXTURE_BLENDS;
-        case limits::STAGE_ADD:
-            return TEXTURE_ADDS;
-        default:
-            return TEXTURE_MODULATES;
-    }
-}
-
-SurfaceState::Stages SurfaceState::stages() const
-{
-    Stages stages;
-    if (_brdf >= 0) return stages;
-    if (_stages[0].kind == limits::STAGE_NORMALS) stages[0].kind = limits::STAGE_NORMALS;
-    for (size_t unit = 1; unit < stages.size(); ++unit) {
-        stages[unit] = _stages[unit];
-        if (stages[unit].kind != limits::STAGE_NONE) stages[unit].coordinates = _units[unit].coordinates();
-    }
-    return stages;
-}
-
-bool SurfaceState::bumped() const
-{
-    const Stages all = stages();
-    return std::any_of(all.begin(), all.end(), [](const TextureStage& s) { return s.kind == limits::STAGE_NORMALS; });
-}
-
-SurfaceState::Coordinates SurfaceState::coordinates() const
-{
-    if (!texture()) return FROM_VERTICES;
-    const int from = _units[0].coordinates() & ~limits::STAGE_PROJECTED;
-    return from == limits::STAGE_GIVEN ? FROM_VERTICES : from == limits::STAGE_OF_OBJECT ? FROM_OBJECT : FROM_EYE;
-}
-
-TextureFacts SurfaceState::textureFacts() const
-{
-    const osg::Texture* t = texture();
-    return t ? factsOf(*t) : TextureFacts();
-}
-
-TextureFacts SurfaceState::factsOf(const osg::Texture& texture) const
-{
-    return _facts ? _facts->of(texture) : SurfaceFacts::measure(texture);
 }
 
 bool SurfaceState::tracksColors() const
@@ -360,30 +272,6 @@ const char* SurfaceState::unsupportedRaster(const osg::Geometry* geometry) const
     if (storesDepth() && (orderOf(depth) == 0 || orderOf(depth) != orderOf(_nodeDepth) || !sameDepthRange(depth, _nodeDepth)))
         return "depth tests for other than the nearest, and depth ranges";
     return nullptr;
-}
-
-const char* SurfaceState::unsupportedTexture() const
-{
-    for (size_t unit = 1; unit < _units.size(); ++unit) {
-        const TextureUnit& u = _units[unit];
-        const int kind = _stages[unit].kind;
-        if (kind == limits::STAGE_NONE) continue;
-        if (unit >= size_t(limits::STAGED_UNITS)) return "texture units beyond the fourth";
-        if (kind == limits::STAGE_OTHER) return "texture units beyond the first that are not Texture2D or combine";
-        if (!u.generatesLinear()) return "texture coordinates that are generated otherwise than by planes, or in part";
-        const TextureFacts facts = factsOf(*u.texture.as<osg::Texture>());
-        if (facts.linear || facts.alphaOnly) return "texture units beyond the first of floats or without colours";
-    }
-    if (paintedReflection()) return nullptr;
-    const TextureUnit& first = _units[0];
-    const TextureStage stage = _stages[0];
-    if (stage.kind == limits::STAGE_NONE) return nullptr;
-    if (first.texture.as<osg::Texture>()->getTextureTarget() != GL_TEXTURE_2D) return "textures other than Texture2D";
-    if (stage.kind == limits::STAGE_OTHER || stage.kind == limits::STAGE_ADD_SIGNED || stage.scale != 1.0f)
-        return "texture environments that combine";
-    if (!first.generates()) return nullptr;
-    const bool linear = first.generatesLinear() && stage.kind != limits::STAGE_NORMALS;
-    return linear ? nullptr : "texture coordinates that are generated otherwise than by planes, or in part";
 }
 
 const char* SurfaceState::unsupported(const osg::Geometry* geometry) const
