@@ -77,7 +77,6 @@ void SceneState::merge(const osg::StateSet& s)
     _frontFace.merge(s.getAttributePair(osg::StateAttribute::FRONTFACE));
     _blendFunction.merge(s.getAttributePair(osg::StateAttribute::BLENDFUNC));
     _polygonMode.merge(s.getAttributePair(osg::StateAttribute::POLYGONMODE));
-    if (!s.getTextureAttributeList().empty()) _textureMatrix.merge(s.getTextureAttributePair(0, osg::StateAttribute::TEXMAT));
     for (const auto& [name, pair] : s.getUniformList()) {
         const auto former = _uniforms.find(name);
         if (former == _uniforms.end() || stateWins(pair.second, former->second.second)) _uniforms[name] = pair;
@@ -162,11 +161,11 @@ SurfaceMaterial SceneState::material(const osg::Geometry& geometry, bool linearC
     for (unsigned map = 0; map < std::size(MaterialMaps::samplers); ++map)
         if (mapped(map))
             leftOut.insert("normal, roughness, emission, anisotropy and coat maps: their surfaces have the material without");
-    if (anisotropic() && (_textureMatrix.attribute || uniform(MaterialMaps::anisotropyTexCoord, 0) != 0))
+    if (anisotropic() && (firstMatrix() || uniform(MaterialMaps::anisotropyTexCoord, 0) != 0))
         leftOut.insert("anisotropy by other texture coordinates than the first as they are: it is by those of the base colour");
     if (anisotropic() && geometry.getVertexAttribArray(Material::tangentAttribute))
         leftOut.insert("anisotropy by the vertices' tangents: it is by those of the texture coordinates");
-    for (const TextureStage& stage : stages())
+    for (const TextureStage& stage : stages(&geometry))
         if (stage.kind != limits::STAGE_NONE)
             leftOut.insert("texture units beyond the first, and normal maps: their surfaces have the first alone");
     if (paintedReflection()) leftOut.insert("painted reflections: their surfaces have the material without");
@@ -199,7 +198,7 @@ SurfaceMaterial SceneState::material(const osg::Geometry& geometry, bool linearC
 
 osg::Matrixd SceneState::textureMatrix() const
 {
-    const auto* matrix = static_cast<const osg::TexMat*>(_textureMatrix.attribute);
+    const auto* matrix = static_cast<const osg::TexMat*>(firstMatrix());
     return matrix ? osg::Matrixd(matrix->getMatrix()) : osg::Matrixd();
 }
 

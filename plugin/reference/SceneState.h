@@ -51,7 +51,6 @@ class SceneState : public SurfaceState
     Attribute _alphaFunction;
     Attribute _cullSide;
     Attribute _frontFace;
-    Attribute _textureMatrix;
     Attribute _blendFunction;
     Attribute _polygonMode;
     std::map<std::string, osg::StateSet::RefUniformPair> _uniforms;

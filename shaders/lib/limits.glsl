@@ -67,12 +67,14 @@ const int STAGE_BLEND = 4;
 const int STAGE_ADD = 5;
 const int STAGE_ADD_SIGNED = 6;
 const int STAGE_NORMALS = 7;      // it is a normal map (DOT3)
-const int STAGE_OTHER = 8;        // drawn as without us
+const int STAGE_MASK = 8;         // it is black where the surface has holes
+const int STAGE_OTHER = 9;        // drawn as without us
 const int STAGED_UNITS = 4;
 // Where the coordinates of a unit after the first come from.
 const int STAGE_GIVEN = 0;      // from the vertices
 const int STAGE_OF_OBJECT = 1;  // from planes in the space of the model
 const int STAGE_OF_EYE = 2;     // from planes in eye space
 const int STAGE_PROJECTED = 4;  // plus this: the fourth, too
+const int STAGE_OF_FIRST = 8;   // from the vertices, those of the first unit
 
 #endif

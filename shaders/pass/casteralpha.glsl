@@ -2,7 +2,9 @@
 // How much a caster stops of the light: of leaves and grilles it is in the texture.
 #ifndef CASTERALPHA_GLSL
 #define CASTERALPHA_GLSL
-#pragma import_defines(CASTER_ALPHA, NO_TEXTURE, TEXTURE_REPLACE, VERTEX_COLOR)
+#pragma import_defines(CASTER_ALPHA, CASTER_MASK, NO_TEXTURE, TEXTURE_REPLACE, VERTEX_COLOR)
+
+#include "pass/mask.glsl"
 
 #if defined(CASTER_ALPHA) && !defined(NO_TEXTURE)
 uniform sampler2D baseColorMap;
@@ -18,11 +20,14 @@ float casterAlpha()
     alpha = vertexColor.a;
 #endif
 #ifndef NO_TEXTURE
-    float texel = texture(baseColorMap, textureCoordinate).a;
-#ifdef TEXTURE_REPLACE
-    alpha = texel;
+    vec4 texel = texture(baseColorMap, textureCoordinate);
+#if defined(CASTER_MASK)
+    if (maskIsOpen(texel)) discard;
+    alpha = 1.0;
+#elif defined(TEXTURE_REPLACE)
+    alpha = texel.a;
 #else
-    alpha *= texel;
+    alpha *= texel.a;
 #endif
 #endif
     return alpha;

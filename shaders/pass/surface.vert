@@ -33,15 +33,18 @@ out vec4 mapCoordinates;     // of the arrays 0 and 1
 #ifdef TEXTURE_STAGES
 #include "lib/limits.glsl"
 uniform int stageCoordinateKinds[STAGED_UNITS];
-out vec3 stageCoordinates[4];  // s, t, q of the units 0 to 3
+uniform int stageUnits[STAGED_UNITS];
+out vec3 stageCoordinates[4];  // s, t, q of the stages 0 to 3
 
-// Of the unit, as its planes have them, if it generates them.
-vec3 stageCoordinate(int unit, vec4 given, vec4 vertex, vec4 eye)
+// Of the stage's unit, as its planes have them, if it generates them.
+vec3 stageCoordinate(int stage, vec4 given, vec4 vertex, vec4 eye)
 {
-    int kind = stageCoordinateKinds[unit];
+    int kind = stageCoordinateKinds[stage];
+    int unit = stageUnits[stage];
     bool byEye = (kind & STAGE_OF_EYE) != 0;
     vec4 p = byEye ? eye : vertex;
-    if (kind != STAGE_GIVEN) {
+    if ((kind & STAGE_OF_FIRST) != 0) given = gl_MultiTexCoord0;
+    if ((kind & (STAGE_OF_OBJECT | STAGE_OF_EYE)) != 0) {
         given.x = dot(p, byEye ? gl_EyePlaneS[unit] : gl_ObjectPlaneS[unit]);
         given.y = dot(p, byEye ? gl_EyePlaneT[unit] : gl_ObjectPlaneT[unit]);
     }

@@ -33,6 +33,8 @@
 namespace Features_test
 {
 
+using namespace feature_cards;
+
 TEST_F(Features, BackFacesHaveTheirOwnMaterialUnderTwoSidedLighting)
 {
     const osg::ref_ptr<osg::Geode> model = card();
@@ -136,6 +138,8 @@ TEST_F(Features, FixedFunctionThatNoPassDrawsIsDrawnAsWithoutUs)
          "texture environments that combine"}};
     for (const auto& [change, said] : rows) {
         const osg::ref_ptr<osg::Geode> model = card();
+        osg::Geometry& geometry = *model->getDrawable(0)->asGeometry();
+        geometry.setTexCoordArray(4, geometry.getTexCoordArray(0));
         change(*model->getOrCreateStateSet());
         expectAsWithout(model, said);
     }

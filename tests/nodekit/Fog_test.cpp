@@ -14,6 +14,8 @@
 namespace Fog_test
 {
 
+using namespace feature_cards;
+
 namespace
 {
 

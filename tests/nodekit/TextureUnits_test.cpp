@@ -16,6 +16,8 @@
 namespace TextureUnits_test
 {
 
+using namespace feature_cards;
+
 TEST_F(Features, TextureEnvironments)
 {
     // Material .5, texel .25 with alpha .5, environment colour (1, 0, 0): as the fixed function combines display values.

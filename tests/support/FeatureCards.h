@@ -12,6 +12,9 @@
 
 #include <cmath>
 
+namespace feature_cards
+{
+
 using osgEnvLight::LitScene;
 using osgEnvLight::Settings;
 
@@ -100,3 +103,5 @@ class Features : public testing::Test
     SceneRenderer renderer{size, size};
     const double small = 0.003;  // as in Surfaces_test.cpp
 };
+
+}  // namespace feature_cards

@@ -2,7 +2,6 @@
 #include "surface/CasterState.h"
 
 #include <osg/AlphaFunc>
-#include <osg/TexMat>
 
 namespace osgEnvLight
 {
@@ -12,11 +11,11 @@ void CasterState::merge(const osg::StateSet& s)
     SentLightState::merge(s);
     _alphaTest.merge(s.getMode(GL_ALPHA_TEST));
     _alphaFunction.merge(s.getAttributePair(osg::StateAttribute::ALPHAFUNC));
-    if (!s.getTextureAttributeList().empty()) _textureMatrix.merge(s.getTextureAttributePair(0, osg::StateAttribute::TEXMAT));
 }
 
 unsigned CasterState::flags(const osg::Geometry& geometry) const
 {
+    if (mask(&geometry)) return MASKED;
     unsigned bits = 0;
     if (blended(&geometry)) bits |= BLENDED;
     if (textureMode() == TEXTURE_REPLACES) bits |= TEXTURE_REPLACES_ALPHA;
@@ -26,10 +25,11 @@ unsigned CasterState::flags(const osg::Geometry& geometry) const
 
 CasterState::Key CasterState::key(const osg::Geometry& geometry) const
 {
+    if (const TextureUnit* unit = mask(&geometry))
+        return {unit->texture.attribute, unit->matrix.attribute, nullptr, nullptr, flags(geometry)};
     const bool tested = _alphaTest.on;
     const osg::Texture* alpha = textureMode() == TEXTURE_DECAL ? nullptr : texture();  // a decal keeps the alpha below it
-    return {alpha, alpha ? _textureMatrix.attribute : nullptr, tested ? _alphaFunction.attribute : nullptr, osgMaterial(),
-            flags(geometry)};
+    return {alpha, alpha ? firstMatrix() : nullptr, tested ? _alphaFunction.attribute : nullptr, osgMaterial(), flags(geometry)};
 }
 
 osg::ref_ptr<osg::StateSet> CasterState::makeStateSet(const osg::Geometry& geometry) const
@@ -48,6 +48,7 @@ osg::ref_ptr<osg::StateSet> CasterState::makeStateSet(const osg::Geometry& geome
     if (material) s->setAttribute(take(material));
     if (flags & BLENDED) s->setDefine("CASTER_BLENDED");
     if (flags & TEXTURE_REPLACES_ALPHA) s->setDefine("TEXTURE_REPLACE");
+    if (flags & MASKED) s->setDefine("CASTER_MASK");
     if (flags & COLORED_VERTICES) s->setDefine("VERTEX_COLOR");
     return s;
 }

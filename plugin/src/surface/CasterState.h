@@ -17,10 +17,10 @@ class OSGENVLIGHT_EXPORT CasterState : public SentLightState
 
     void merge(const osg::StateSet& stateSet);
 
-    /** Holes by the alpha test, or a blended surface: its alpha decides what passes. */
+    /** Holes by the alpha test or a mask, or a blended surface: its alpha decides what passes. */
     bool perforated(const osg::Geometry& geometry) const
     {
-        return blended(&geometry) || (_alphaTest.on && _alphaFunction.attribute);
+        return blended(&geometry) || (_alphaTest.on && _alphaFunction.attribute) || mask(&geometry);
     }
 
     /** What a perforated caster is drawn with: its texture, alpha test, material; and, as defines, how its alpha is found. A
@@ -31,12 +31,11 @@ class OSGENVLIGHT_EXPORT CasterState : public SentLightState
     osg::ref_ptr<osg::StateSet> makeStateSet(const osg::Geometry& geometry) const;
 
   private:
-    enum Flag : unsigned { BLENDED = 1, TEXTURE_REPLACES_ALPHA = 2, COLORED_VERTICES = 4 };
+    enum Flag : unsigned { BLENDED = 1, TEXTURE_REPLACES_ALPHA = 2, COLORED_VERTICES = 4, MASKED = 8 };
     unsigned flags(const osg::Geometry& geometry) const;
 
     Mode _alphaTest;
     Attribute _alphaFunction;
-    Attribute _textureMatrix;
 };
 
 }  // namespace osgEnvLight

@@ -6,6 +6,8 @@
 #include <osg/Texture2D>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 
 #include "glsl.h"
 #include "lib/tone.glsl"
@@ -114,6 +116,46 @@ osg::Vec3f meanOf(const Array& colors, double one)
     return colors.empty() ? osg::Vec3f(1, 1, 1) : osg::Vec3f(sum / double(colors.size()));
 }
 
+// Counts texels that look like those of a normal map or of a mask. Of 275 images (77 of the Crytek Sponza, those of
+// OpenSceneGraph, Assimp and Blender) the 20 normal maps have 80 % loose ones or more among those that are not black, tight ones
+// 89 % or more in 15; no other image has 60 % of either. The three masks are 88 % black or white or more; maps of gloss at most
+// 60 %.
+class TexelCensus
+{
+  public:
+    void add(const osg::Vec4& c)
+    {
+        const float most = std::max({c[0], c[1], c[2]}), least = std::min({c[0], c[1], c[2]});
+        const bool black = most < 0.1f, grey = most - least < 0.025f;
+        ++_all;
+        _grey += grey;
+        _black += black;
+        _white += grey && least > 0.9f;
+        if (black) return;  // between the parts of an atlas
+        const osg::Vec3f direction(2.0f * c[0] - 1.0f, 2.0f * c[1] - 1.0f, 2.0f * c[2] - 1.0f);
+        const float off = direction[2] > 0.0f ? std::abs(direction.length() - 1.0f) : 1.0f;
+        _loose += off < 0.25f;
+        _tight += off < 0.1f;
+        _sum += direction;
+        _tilt += double(direction[0] * direction[0] + direction[1] * direction[1]);
+    }
+
+    TexelKind kind() const
+    {
+        const double shown = _all - _black;
+        if (_grey >= 0.95 * _all && _black + _white >= 0.85 * _all && std::min(_black, _white) >= 0.03 * _all)
+            return TexelKind::MASK;
+        const double lean = std::max(std::abs(double(_sum[0])), std::abs(double(_sum[1])));
+        if (shown < 1.0 || _loose < 0.75 * shown || lean > 0.15 * shown) return TexelKind::COLORS;
+        const bool differ = _tilt > 0.05 * 0.05 * shown;
+        return _tight >= 0.88 * shown && differ ? TexelKind::NORMALS : TexelKind::NORMALS_PERHAPS;
+    }
+
+  private:
+    double _all = 0.0, _grey = 0.0, _black = 0.0, _white = 0.0, _loose = 0.0, _tight = 0.0, _tilt = 0.0;
+    osg::Vec3f _sum;
+};
+
 // By 32 x 32 texels at most.
 void addMeans(TextureFacts& facts, const osg::Image& image)
 {
@@ -122,15 +164,18 @@ void addMeans(TextureFacts& facts, const osg::Image& image)
     const int columns = std::min(image.s(), 32), rows = std::min(image.t(), 32);
     osg::Vec3d sum;
     double alpha = 0.0;
+    TexelCensus census;
     for (int y = 0; y < rows; ++y)
         for (int x = 0; x < columns; ++x) {
             const osg::Vec4 c =
                 image.getColor(unsigned((2 * x + 1) * image.s() / (2 * columns)), unsigned((2 * y + 1) * image.t() / (2 * rows)));
             for (int k = 0; k < 3; ++k) sum[k] += facts.linear ? double(c.ptr()[k]) : glsl::srgbDecode(double(c.ptr()[k]));
             alpha += double(c.a());
+            census.add(c);
         }
     facts.mean = osg::Vec3f(sum / double(columns * rows));
     facts.opacity = float(alpha / double(columns * rows));
+    if (!facts.linear) facts.texels = census.kind();
 }
 
 class TextureLooker : public osg::NodeVisitor
@@ -172,6 +217,8 @@ TextureFacts SurfaceFacts::measure(const osg::Texture& texture)
     TextureFacts facts{image->isImageTranslucent(),
                        isFloat(image->getDataType()) || (given && isSrgbFormat(texture.getInternalFormat())), pixels == GL_ALPHA};
     addMeans(facts, *image);
+    const std::string& file = image->getFileName();
+    facts.image = file.empty() ? std::hash<const osg::Image*>()(image) : std::hash<std::string>()(file);
     return facts;
 }
 

@@ -16,6 +16,14 @@
 namespace osgEnvLight
 {
 
+/** What the texels of an image look like. */
+enum class TexelKind {
+    COLORS,
+    NORMALS_PERHAPS,  // nearly all are directions about +z, as in a normal map; so may be an image of pale blue
+    NORMALS,          // all are, of unit length, and they differ
+    MASK              // nearly all are black or white, and both are there
+};
+
 /** What the texels of a texture say of the surfaces that bear it. */
 struct TextureFacts {
     bool translucent = false;                        // some alpha is less than 1
@@ -23,6 +31,8 @@ struct TextureFacts {
     bool alphaOnly = false;                          // it has no colour: GL_ALPHA
     osg::Vec3f mean = osg::Vec3f(0.5f, 0.5f, 0.5f);  // colour, linear; grey where no image was seen
     float opacity = 1.0f;                            // mean alpha
+    TexelKind texels = TexelKind::COLORS;
+    size_t image = 0;  // tells images apart: by their files' names, else by their addresses; 0: none was seen
 };
 
 /** Remembers what texels and vertex colours say, so that they are read once: OSG gives a texture's image away when it has

@@ -79,13 +79,16 @@ void addStages(const SurfaceState::Stages& stages, osg::StateSet& stateSet)
     osg::ref_ptr<osg::Uniform> scales = new osg::Uniform(osg::Uniform::FLOAT, "textureScales", int(stages.size()));
     osg::ref_ptr<osg::Uniform> coordinates = new osg::Uniform(osg::Uniform::INT, "stageCoordinateKinds", int(stages.size()));
     osg::ref_ptr<osg::Uniform> samplers = new osg::Uniform(osg::Uniform::SAMPLER_2D, "stageMaps", int(stages.size()));
-    for (unsigned unit = 0; unit < stages.size(); ++unit) {
-        kinds->setElement(unit, stages[unit].kind);
-        scales->setElement(unit, stages[unit].scale);
-        coordinates->setElement(unit, stages[unit].coordinates);
-        samplers->setElement(unit, int(unit));
+    osg::ref_ptr<osg::Uniform> units = new osg::Uniform(osg::Uniform::INT, "stageUnits", int(stages.size()));
+    for (unsigned i = 0; i < stages.size(); ++i) {
+        const bool used = stages[i].kind != limits::STAGE_NONE;
+        kinds->setElement(i, stages[i].kind);
+        scales->setElement(i, stages[i].scale);
+        coordinates->setElement(i, stages[i].coordinates);
+        units->setElement(i, used ? stages[i].unit : int(i));
+        samplers->setElement(i, used ? stages[i].unit : int(i));
     }
-    for (osg::Uniform* u : {kinds.get(), scales.get(), coordinates.get(), samplers.get()}) stateSet.addUniform(u);
+    for (osg::Uniform* u : {kinds.get(), scales.get(), coordinates.get(), units.get(), samplers.get()}) stateSet.addUniform(u);
 }
 
 }  // namespace
@@ -187,9 +190,6 @@ class SurfaceSort
     {
         using S = SurfaceSorter;
         uint64_t bits = textureBits(state);
-        const SurfaceState::Stages stages = state.stages();
-        for (const TextureStage& stage : stages)
-            if (stage.kind != limits::STAGE_NONE) bits |= S::TEXTURE_STAGES;
         if (state.paintedReflection()) bits |= S::PAINTED_REFLECTION;
         if (state.paintedHighlight()) bits |= S::TEXTURE_ADD;
         if (state.unlit()) bits |= S::UNLIT;
@@ -210,7 +210,14 @@ class SurfaceSort
         if (state.lampEmission(_places.lamps) != osg::Vec3f()) bits |= S::ENVLIGHT_LAMP;
         if (state.brdf() >= 0 && state.emits()) bits |= S::ENVLIGHT_EMISSION;
         if (state.fog()) bits |= S::FOGGED;
-        return {bits, stages};
+        return {bits, {}};
+    }
+
+    static void addStages(SurfaceSorter::Variation& variation, const SurfaceState& state, const osg::Geometry* geometry)
+    {
+        variation.stages = state.stages(geometry);
+        for (const TextureStage& stage : variation.stages)
+            if (stage.kind != limits::STAGE_NONE) variation.bits |= SurfaceSorter::TEXTURE_STAGES;
     }
 
     void place(osgUtil::RenderLeaf& leaf, osgUtil::StateGraph* sg, const SurfaceState& state, SurfaceSorter::Variation variation,
@@ -221,6 +228,10 @@ class SurfaceSort
             variation.bits |= SurfaceSorter::FACE_NORMAL;
         else if (variation.bits & takesTangents && hasTangents(geometry))
             variation.bits |= SurfaceSorter::VERTEX_TANGENTS;
+        addStages(variation, state, geometry);
+        if (state.leavesMapsOut(geometry))
+            _sorter.say("textures after the first without texture coordinates, neither normal map nor mask", "left out",
+                        leaf._drawable);
         const bool foreign = leaf._projection.get() != _places.projection;
         const bool points = !geometry && areLightPoints(*leaf._drawable);
         if (!foreign && !blends && !points && !state.drawnForward(geometry)) return keep(leaf, sg, state, variation, kept);
@@ -287,7 +298,7 @@ bool SurfaceSorter::Variation::operator<(const Variation& other) const
     if (bits != other.bits) return bits < other.bits;
     return std::lexicographical_compare(
         stages.begin(), stages.end(), other.stages.begin(), other.stages.end(), [](const TextureStage& a, const TextureStage& b) {
-            return std::tie(a.kind, a.scale, a.coordinates) < std::tie(b.kind, b.scale, b.coordinates);
+            return std::tie(a.kind, a.scale, a.coordinates, a.unit) < std::tie(b.kind, b.scale, b.coordinates, b.unit);
         });
 }
 

@@ -203,12 +203,12 @@ bool SurfaceState::clipped() const
 bool SurfaceState::translucent(const osg::Geometry* geometry) const
 {
     if (texture() && textureMode() != TEXTURE_DECAL && textureFacts().translucent) return true;
-    const Stages later = stages();
-    for (size_t unit = 1; unit < later.size(); ++unit) {
-        const int kind = later[unit].kind;
-        const bool takesAlpha = kind == limits::STAGE_MODULATE || kind == limits::STAGE_REPLACE || kind == limits::STAGE_BLEND;
-        if (takesAlpha && factsOf(*_units[unit].texture.as<osg::Texture>()).translucent) return true;
-    }
+    if (_laterUnits)
+        for (const TextureStage& s : stages(geometry)) {
+            const bool takesAlpha =
+                s.kind == limits::STAGE_MODULATE || s.kind == limits::STAGE_REPLACE || s.kind == limits::STAGE_BLEND;
+            if (takesAlpha && factsOf(*_units[size_t(s.unit)].texture.as<osg::Texture>()).translucent) return true;
+        }
     const osg::Material* m = osgMaterial();
     if (!vertexColored()) return m && m->getDiffuse(osg::Material::FRONT).a() < 1.0f;
     const osg::Array* colors = geometry ? geometry->getColorArray() : nullptr;
@@ -280,7 +280,7 @@ const char* SurfaceState::unsupported(const osg::Geometry* geometry) const
     if (geometry && onlyPointsAndLines(*geometry)) return "points and lines";
     const char* what = unsupportedRaster(geometry);
     // A BRDF of ours says what the surface is, whatever fixed-function texturing is there beside it.
-    return what || _brdf >= 0 ? what : unsupportedTexture();
+    return what || _brdf >= 0 ? what : unsupportedTexture(geometry);
 }
 
 }  // namespace osgEnvLight

@@ -32,6 +32,7 @@ class OSGENVLIGHT_EXPORT SurfaceState
 
     /** Texture units of surfaces: those that fixed-function state reaches, and one more of our materials. */
     static constexpr unsigned units = 9;
+    static constexpr unsigned fixedUnits = 8;
 
     /** Define that, ON in the state set of a Program of the user's, says it writes the G-buffer's outputs itself. */
     static const char* const gbufferDefine;
@@ -59,10 +60,19 @@ class OSGENVLIGHT_EXPORT SurfaceState
     bool projected() const { return _units[0].texGen[3].on; }
     TextureFacts textureFacts() const;
     /** How the texture units join the colour below them. Of unit 0 only whether it is a normal map: textureMode() says the rest.
-     */
+     * A map in a later unit for which the drawable has no coordinates is one that a loader left there, as OpenSceneGraph's
+     * reader of OBJ does; fixed function would multiply by some one texel. It has those of unit 0 and is what its texels look
+     * like: a normal map, a mask of holes, else nothing. Such maps take stages that are free.
+     * @param geometry  null: not known; it has all coordinates */
     using Stages = std::array<TextureStage, limits::STAGED_UNITS>;
-    Stages stages() const;
-    /** A unit is a normal map of fixed function. */
+    Stages stages(const osg::Geometry* geometry) const;
+    /** There are units after the first. */
+    bool hasLaterUnits() const { return _laterUnits; }
+    /** The unit of the mask among those stages; null: none. */
+    const TextureUnit* mask(const osg::Geometry* geometry) const;
+    /** Some map without coordinates is none of this. */
+    bool leavesMapsOut(const osg::Geometry* geometry) const;
+    /** A unit is a normal map of fixed function (DOT3). */
     bool bumped() const;
     /** It is white: its vertices' colours are directions to a light, and no material has another colour. */
     bool white() const;
@@ -134,6 +144,8 @@ class OSGENVLIGHT_EXPORT SurfaceState
 
   protected:
     SurfaceFacts* facts() const { return _facts; }
+    /** TexMat of unit 0. */
+    const osg::StateAttribute* firstMatrix() const { return _units[0].matrix.attribute; }
 
   private:
     void mergeMode(osg::StateAttribute::GLMode mode, osg::StateAttribute::GLModeValue value);
@@ -147,7 +159,11 @@ class OSGENVLIGHT_EXPORT SurfaceState
     enum Blending { BLENDS_BY_ALPHA, BLENDS_PREMULTIPLIED, BLENDS_OTHERWISE };
     Blending blendingKind() const;
     const char* unsupportedRaster(const osg::Geometry* geometry) const;
-    const char* unsupportedTexture() const;
+    const char* unsupportedTexture(const osg::Geometry* geometry) const;
+    bool lacksCoordinates(size_t unit, const osg::Geometry* geometry) const;
+    int loaderMap(size_t unit, const osg::Geometry& geometry) const;
+    bool firstIsNormalMap() const;
+    const TextureFacts& firstFacts() const;
 
     SurfaceFacts* _facts;
     Mode _lighting{true, 0};
@@ -171,6 +187,10 @@ class OSGENVLIGHT_EXPORT SurfaceState
     Attribute _fogAttribute;
     std::array<TextureUnit, units> _units;
     std::array<TextureStage, units> _stages;
+    bool _laterUnits = false;  // some stage after the first
+    // Of unit 0, looked up when they are asked for.
+    mutable const osg::StateAttribute* _firstKnown = nullptr;
+    mutable TextureFacts _firstFacts;
     const osg::Depth* _nodeDepth = nullptr;
     bool _ownProgram = false;
     const osg::Program* _movingProgram = nullptr;

@@ -18,13 +18,19 @@ void SurfaceState::mergeTextures(const osg::StateSet& s)
     const auto& attributes = s.getTextureAttributeList();
     for (size_t unit = 0; unit < std::min(attributes.size(), _units.size()); ++unit)
         for (const auto& [key, pair] : attributes[unit]) _units[unit].mergeAttribute(key.first, pair);
-    for (size_t unit = 0; unit < _units.size(); ++unit) _stages[unit] = _units[unit].stage(unit == 0);
+    _laterUnits = false;
+    for (size_t unit = 0; unit < _units.size(); ++unit) {
+        _stages[unit] = _units[unit].stage(unit == 0);
+        _stages[unit].unit = int(unit);
+        if (unit > 0 && _stages[unit].kind != limits::STAGE_NONE) _laterUnits = true;
+    }
 }
 
 const osg::Texture* SurfaceState::texture() const
 {
     const TextureUnit& unit = _units[0];
     if (!unit.texturing.on || paintedReflection() || _stages[0].kind == limits::STAGE_NORMALS) return nullptr;
+    if (firstIsNormalMap()) return nullptr;
     const auto* t = unit.texture.as<osg::Texture>();
     return t && SurfaceFacts::hasTexels(*t) ? t : nullptr;
 }
@@ -60,22 +66,93 @@ SurfaceState::TextureMode SurfaceState::textureMode() const
     }
 }
 
-SurfaceState::Stages SurfaceState::stages() const
+const TextureFacts& SurfaceState::firstFacts() const
+{
+    if (_firstKnown != _units[0].texture.attribute) {
+        _firstKnown = _units[0].texture.attribute;
+        _firstFacts = factsOf(*_units[0].texture.as<osg::Texture>());
+    }
+    return _firstFacts;
+}
+
+// By its texels: what has a normal map alone is no picture of one.
+bool SurfaceState::firstIsNormalMap() const
+{
+    return _brdf < 0 && _lighting.on && _stages[0].kind == limits::STAGE_MODULATE && !_units[0].generates() &&
+           firstFacts().texels == TexelKind::NORMALS;
+}
+
+bool SurfaceState::lacksCoordinates(size_t unit, const osg::Geometry* geometry) const
+{
+    const TextureStage& stage = _stages[unit];
+    return geometry && unit > 0 && stage.kind == limits::STAGE_MODULATE && stage.scale == 1.0f && !_units[unit].generates() &&
+           !geometry->getTexCoordArray(unsigned(unit));
+}
+
+// What the map of a unit without coordinates is, as a stage.
+int SurfaceState::loaderMap(size_t unit, const osg::Geometry& geometry) const
+{
+    if (!geometry.getTexCoordArray(0)) return limits::STAGE_NONE;
+    switch (factsOf(*_units[unit].texture.as<osg::Texture>()).texels) {
+        case TexelKind::NORMALS:
+        case TexelKind::NORMALS_PERHAPS:
+            return limits::STAGE_NORMALS;
+        case TexelKind::MASK:
+            return limits::STAGE_MASK;
+        default:
+            return limits::STAGE_NONE;
+    }
+}
+
+SurfaceState::Stages SurfaceState::stages(const osg::Geometry* geometry) const
 {
     Stages stages;
     if (_brdf >= 0) return stages;
-    if (_stages[0].kind == limits::STAGE_NORMALS) stages[0].kind = limits::STAGE_NORMALS;
+    if (_stages[0].kind == limits::STAGE_NORMALS || firstIsNormalMap()) stages[0].kind = limits::STAGE_NORMALS;
+    if (!_laterUnits) return stages;
     for (size_t unit = 1; unit < stages.size(); ++unit) {
+        if (lacksCoordinates(unit, geometry)) continue;
         stages[unit] = _stages[unit];
         if (stages[unit].kind != limits::STAGE_NONE) stages[unit].coordinates = _units[unit].coordinates();
+    }
+    const auto isThere = [&](int kind) {
+        return std::any_of(stages.begin(), stages.end(), [&](const TextureStage& s) { return s.kind == kind; });
+    };
+    for (size_t unit = 1; unit < fixedUnits; ++unit) {
+        const int kind = lacksCoordinates(unit, geometry) ? loaderMap(unit, *geometry) : limits::STAGE_NONE;
+        if (kind == limits::STAGE_NONE || isThere(kind)) continue;
+        const auto free =
+            std::find_if(stages.begin() + 1, stages.end(), [](const TextureStage& s) { return s.kind == limits::STAGE_NONE; });
+        if (free != stages.end()) *free = {kind, 1.0f, limits::STAGE_OF_FIRST, int(unit)};
     }
     return stages;
 }
 
+const TextureUnit* SurfaceState::mask(const osg::Geometry* geometry) const
+{
+    if (!_laterUnits) return nullptr;
+    for (const TextureStage& stage : stages(geometry))
+        if (stage.kind == limits::STAGE_MASK) return &_units[size_t(stage.unit)];
+    return nullptr;
+}
+
+// A map of ambient light that is the image of the diffuse one says nothing new.
+bool SurfaceState::leavesMapsOut(const osg::Geometry* geometry) const
+{
+    if (!_laterUnits || _brdf >= 0) return false;
+    const size_t first = _stages[0].kind == limits::STAGE_NONE ? 0 : firstFacts().image;
+    for (size_t unit = 1; unit < fixedUnits; ++unit) {
+        if (!lacksCoordinates(unit, geometry) || loaderMap(unit, *geometry) != limits::STAGE_NONE) continue;
+        const size_t image = factsOf(*_units[unit].texture.as<osg::Texture>()).image;
+        if (image == 0 || image != first) return true;
+    }
+    return false;
+}
+
 bool SurfaceState::bumped() const
 {
-    const Stages all = stages();
-    return std::any_of(all.begin(), all.end(), [](const TextureStage& s) { return s.kind == limits::STAGE_NORMALS; });
+    return _brdf < 0 && std::any_of(_stages.begin(), _stages.begin() + limits::STAGED_UNITS,
+                                    [](const TextureStage& s) { return s.kind == limits::STAGE_NORMALS; });
 }
 
 SurfaceState::Coordinates SurfaceState::coordinates() const
@@ -87,8 +164,7 @@ SurfaceState::Coordinates SurfaceState::coordinates() const
 
 TextureFacts SurfaceState::textureFacts() const
 {
-    const osg::Texture* t = texture();
-    return t ? factsOf(*t) : TextureFacts();
+    return texture() ? firstFacts() : TextureFacts();
 }
 
 TextureFacts SurfaceState::factsOf(const osg::Texture& texture) const
@@ -96,12 +172,12 @@ TextureFacts SurfaceState::factsOf(const osg::Texture& texture) const
     return _facts ? _facts->of(texture) : SurfaceFacts::measure(texture);
 }
 
-const char* SurfaceState::unsupportedTexture() const
+const char* SurfaceState::unsupportedTexture(const osg::Geometry* geometry) const
 {
     for (size_t unit = 1; unit < _units.size(); ++unit) {
         const TextureUnit& u = _units[unit];
         const int kind = _stages[unit].kind;
-        if (kind == limits::STAGE_NONE) continue;
+        if (kind == limits::STAGE_NONE || lacksCoordinates(unit, geometry)) continue;
         if (unit >= size_t(limits::STAGED_UNITS)) return "texture units beyond the fourth";
         if (kind == limits::STAGE_OTHER) return "texture units beyond the first that are not Texture2D or combine";
         if (!u.generatesLinear()) return "texture coordinates that are generated otherwise than by planes, or in part";

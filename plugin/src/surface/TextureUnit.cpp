@@ -96,6 +96,7 @@ void TextureUnit::mergeAttribute(osg::StateAttribute::Type type, const osg::Stat
     if (type == osg::StateAttribute::TEXTURE) texture.merge(pair);
     if (type == osg::StateAttribute::TEXENV) texEnv.merge(pair);
     if (type == osg::StateAttribute::TEXGEN) texGenMode.merge(pair);
+    if (type == osg::StateAttribute::TEXMAT) matrix.merge(pair);
 }
 
 bool TextureUnit::hasTexels() const

@@ -16,6 +16,7 @@ struct TextureStage {
     int kind = limits::STAGE_NONE;
     float scale = 1.0f;                     // of the sum or product: 1, 2 or 4
     int coordinates = limits::STAGE_GIVEN;  // where they come from
+    int unit = 0;
 };
 
 /** What fixed-function state says of one texture unit. */
@@ -26,6 +27,7 @@ struct OSGENVLIGHT_EXPORT TextureUnit {
     StateValue texture;
     StateValue texEnv;
     StateValue texGenMode;
+    StateValue matrix;
 
     void mergeMode(osg::StateAttribute::GLMode mode, osg::StateAttribute::GLModeValue value);
     void mergeAttribute(osg::StateAttribute::Type type, const osg::StateSet::RefAttributePair& pair);
