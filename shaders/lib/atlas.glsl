@@ -13,16 +13,18 @@ float riseToCorner(float slope)
     return 0.71 * abs(slope);
 }
 
-// Height half-way between the first and the second surface, by their depths; the first where none is behind it. Open surfaces
-// are let down by what they rise within a texel, not to shade themselves: by limit at most, or three times that where nothing
-// is behind or they are known to be sheets. slope: of the first surface, heights per texel, negative for those. limit: a texel
-// in heights.
-float midpointHeight(float firstDepth, float secondDepth, float slope, float limit)
+// Height half-way between the first and the second surface, by their depths; the first where none is behind it. Thin bodies and what has
+// nothing behind it are let down by what they rise within a texel, not to shade themselves: by limit at most, or three times that where
+// nothing is behind or they are known to be sheets. What lies behind a sheet, such as the floor at the foot of a wall, is not the sheet
+// itself, however close. slope: of the first surface, heights per texel, negative for sheets. back: 1 if the second surface shows its
+// back, else 0. limit: a texel in heights.
+float midpointHeight(float firstDepth, float secondDepth, float slope, float back, float limit)
 {
     if (firstDepth >= 1.0) return 0.0;
     float first = 1.0 - firstDepth;
     bool behind = secondDepth < 1.0;
     float middle = behind ? 0.5 * (first + 1.0 - secondDepth) : first;
+    if (behind && back < 0.5) return max(middle, 0.0);
     float most = behind && slope >= 0.0 ? limit : 3.0 * limit;
     return max(min(middle, first - min(riseToCorner(slope), most)), 0.0);
 }

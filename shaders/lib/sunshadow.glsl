@@ -79,10 +79,28 @@ vec4 sunSurface(sampler2D sunMaps, SunMap m, vec2 xy)
     return vec4(heights.x, heights.y, centre);
 }
 
+// Height of the receiver's own plane at the centre of a texel.
+float sunPlane(SunReceiver r, vec4 surface)
+{
+    return r.point.z + dot(r.gradient, vec2(surface.z, surface.w) - vec2(r.point));
+}
+
+// Where a ray begins. A texel that shows less than the receiver's own surface, as below the foot of a wall on a floor that ends there, says
+// nothing of what hides it: the next texel does, towards the receiver.
+vec2 sunStart(sampler2D sunMaps, SunMap m, SunReceiver r, vec2 xy)
+{
+    vec4 surface = sunSurface(sunMaps, m, xy);
+    if (surface.x >= sunPlane(r, surface) - 2.0 * r.slack) return xy;
+    vec2 centre = vec2(surface.z, surface.w);
+    vec2 way = vec2(r.point) - centre;
+    vec2 next = abs(way.x) > abs(way.y) ? vec2(way.x < 0.0 ? -1.0 : 1.0, 0.0) : vec2(0.0, way.y < 0.0 ? -1.0 : 1.0);
+    return centre + next;
+}
+
 // Whether a texel's surface is another than the receiver's own.
 bool sunHides(SunReceiver r, vec4 surface)
 {
-    float plane = r.point.z + dot(r.gradient, vec2(surface.z, surface.w) - vec2(r.point)) + r.slack;
+    float plane = sunPlane(r, surface) + r.slack;
     return surface.x > plane && (surface.y > plane || surface.x > plane + r.body);
 }
 
@@ -111,7 +129,7 @@ bool sunMayMeet(SunReceiver r, vec4 surface, float low, float high)
     return height > low && height <= high && sunHides(r, surface);
 }
 
-// How high above the receiver a ray from xy that moves by slope for each unit of height is blocked; negative where it is not.
+// How high above the receiver a ray from there that moves by slope for each unit of height is blocked; negative where it is not.
 // The ray is followed over intervals, each longer than the last. It may miss a thing that is much thinner than the disc is wide.
 // A surface found at an end of an interval blocks the ray in two cases. First, the ray meets it at the surface's own height: the
 // texel below the ray at that height is looked up, twice if its surface has another height, since a slope is a row of steps.
@@ -119,7 +137,7 @@ bool sunMayMeet(SunReceiver r, vec4 surface, float low, float high)
 // surface that hides the receiver. A map does not show what is beneath a surface: the lower one is taken to continue there. A ray
 // that leaves from beneath a single sheet is not blocked. A sheet's edge does not depend on the intervals.
 // Each turn of a loop reads one texel: rays that run side by side on the GPU do not wait for one that does more.
-float sunBlocker(sampler2D sunMaps, SunMap m, SunReceiver r, vec2 xy, vec2 slope)
+float sunBlocker(sampler2D sunMaps, SunMap m, SunReceiver r, vec2 from, vec2 slope)
 {
     float reach = m.heights - r.point.z;
     if (reach <= 0.0) return -1.0;
@@ -130,6 +148,7 @@ float sunBlocker(sampler2D sunMaps, SunMap m, SunReceiver r, vec2 xy, vec2 slope
     float growth = exp2(doublings / float(max(steps - 1, 1)));
     float low = 0.0;
     float high = steps > 1 ? reach / across : reach;
+    vec2 xy = sunStart(sunMaps, m, r, from);
     vec4 former = sunSurface(sunMaps, m, xy);
     vec4 surface = former;
     // Most rays pass everything: until something may be met, or the map ends, all there is to do is to march on.

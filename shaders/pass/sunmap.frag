@@ -15,7 +15,7 @@ void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy) + batchFromAtlas;
     float first = texelFetch(firstDepthMap, p, 0).r;
-    float middle =
-        midpointHeight(first, texelFetch(secondDepthMap, p, 0).r, texelFetch(firstSlopeMap, p, 0).r, mapTexel);
+    vec4 slope = texelFetch(firstSlopeMap, p, 0);
+    float middle = midpointHeight(first, texelFetch(secondDepthMap, p, 0).r, slope.r, slope.g, mapTexel);
     heights = vec4(1.0 - first, middle, 0.0, 0.0);
 }

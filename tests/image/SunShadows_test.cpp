@@ -143,6 +143,27 @@ TEST(SunShadows, ShadowsBeginWhereBodiesStand)
         }
 }
 
+// Without thickness, its back to the sun, on a floor that ends at it. Widths of the light at its foot, in texels of the map.
+TEST(SunShadows, AtTheFootOfASheetThereIsLittleLight)
+{
+    SceneRenderer renderer(256, 64);
+    double widest = 0.0;
+    for (const osg::Vec3d& direction :
+         {osg::Vec3d(-1, 0, 1), osg::Vec3d(-1, 0.3, 1), osg::Vec3d(-1, 1, 0.5), osg::Vec3d(-0.4, 0.2, 1)}) {
+        const osg::ref_ptr<LitScene> lit = sunny(direction, 0.3);
+        lit->addChild(makeQuad(osg::Vec3d(0, -4, 0), osg::Vec3d(8, 0, 0), osg::Vec3d(0, 8, 0)));
+        lit->addChild(makeQuad(osg::Vec3d(0, -4, 0), osg::Vec3d(0, 8, 0), osg::Vec3d(0, 0, 6)));
+        const double texel = 2.0 * lit->getBound().radius() / 1024.0, width = 8.0 * texel;
+        lookDown(renderer, osg::Vec3d(0.5 * width, 0, 0), width);
+        const Picture p = renderer.render(lit);
+        double light = 0.0;
+        for (int x = 0; x < p.width; ++x)
+            for (int y = 0; y < p.height; ++y) light += p.color(x, y)[0] / p.height;
+        widest = std::max(widest, light * width / texel / p.width);
+    }
+    EXPECT_LT(widest, 0.15);  // .13; where the first texel counted, and sheets were let down, .30
+}
+
 TEST(SunShadows, AClosedRoomIsBlackInside)
 {
     SceneRenderer renderer(96, 96);

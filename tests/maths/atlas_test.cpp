@@ -20,28 +20,34 @@ const double texel = 1.0 / 128.0;
 
 TEST(atlas, NothingThereHidesNothing)
 {
-    EXPECT_EQ(0.0, glsl::midpointHeight(1.0, 1.0, 0.0, texel));
-    EXPECT_EQ(0.0, glsl::midpointHeight(1.0, 0.5, 3.0, texel));
+    EXPECT_EQ(0.0, glsl::midpointHeight(1.0, 1.0, 0.0, 1.0, texel));
+    EXPECT_EQ(0.0, glsl::midpointHeight(1.0, 0.5, 3.0, 1.0, texel));
 }
 
 TEST(atlas, HalfWayBetweenTheSurfacesOfABody)
 {
-    EXPECT_DOUBLE_EQ(0.6, glsl::midpointHeight(0.2, 0.6, 0.0, texel));
+    EXPECT_DOUBLE_EQ(0.6, glsl::midpointHeight(0.2, 0.6, 0.0, 1.0, texel));
     // A slope within the body changes nothing.
-    EXPECT_DOUBLE_EQ(0.6, glsl::midpointHeight(0.2, 0.6, 2.0 * texel, texel));
+    EXPECT_DOUBLE_EQ(0.6, glsl::midpointHeight(0.2, 0.6, 2.0 * texel, 1.0, texel));
 }
 
 TEST(atlas, OpenSurfacesAreLetDownByTheirSlopeUpToALimit)
 {
     const double first = 0.7;
     // One behind another: a texel at most.
-    EXPECT_DOUBLE_EQ(first - 0.71 * texel, glsl::midpointHeight(1.0 - first, 1.0 - first + 1e-4, texel, texel));
-    EXPECT_DOUBLE_EQ(first - texel, glsl::midpointHeight(1.0 - first, 1.0 - first + 1e-4, 10.0 * texel, texel));
+    EXPECT_DOUBLE_EQ(first - 0.71 * texel, glsl::midpointHeight(1.0 - first, 1.0 - first + 1e-4, texel, 1.0, texel));
+    EXPECT_DOUBLE_EQ(first - texel, glsl::midpointHeight(1.0 - first, 1.0 - first + 1e-4, 10.0 * texel, 1.0, texel));
     // None behind, or a sheet: three.
-    EXPECT_DOUBLE_EQ(first - 3.0 * texel, glsl::midpointHeight(1.0 - first, 1.0, 10.0 * texel, texel));
-    EXPECT_DOUBLE_EQ(first - 3.0 * texel, glsl::midpointHeight(1.0 - first, 1.0 - first + 1e-4, -10.0 * texel, texel));
-    EXPECT_DOUBLE_EQ(first, glsl::midpointHeight(1.0 - first, 1.0, 0.0, texel));
-    EXPECT_EQ(0.0, glsl::midpointHeight(1.0 - 1e-3, 1.0, 10.0 * texel, texel));  // the map's own floor
+    EXPECT_DOUBLE_EQ(first - 3.0 * texel, glsl::midpointHeight(1.0 - first, 1.0, 10.0 * texel, 1.0, texel));
+    EXPECT_DOUBLE_EQ(first - 3.0 * texel, glsl::midpointHeight(1.0 - first, 1.0 - first + 1e-4, -10.0 * texel, 1.0, texel));
+    EXPECT_DOUBLE_EQ(first, glsl::midpointHeight(1.0 - first, 1.0, 0.0, 1.0, texel));
+    EXPECT_EQ(0.0, glsl::midpointHeight(1.0 - 1e-3, 1.0, 10.0 * texel, 1.0, texel));  // the map's own floor
+}
+
+TEST(atlas, WhatLiesBehindASheetIsNotTheSheet)
+{
+    for (const double slope : {-10.0 * texel, 0.0, 10.0 * texel})
+        EXPECT_DOUBLE_EQ(0.7 - 0.5e-4, glsl::midpointHeight(0.3, 0.3 + 1e-4, slope, 0.0, texel));
 }
 
 TEST(atlas, PointsAreLookedUpOffTheSurfaceWhereLightGrazes)

@@ -26,11 +26,13 @@ class Heights
                 for (double h : {height(x, y) / side, height(x, y) / side, 0.0, 0.0}) _texels.push_back(float(h));
     }
 
-    // Height at which a ray from xy over a floor at 8 that moves by slope for each unit of height is blocked.
-    double blocker(glsl::vec2 xy, glsl::vec2 slope) const
+    // Height at which a ray from xy over a floor at 8 that moves by slope for each unit of height is blocked. point: that looks,
+    // not far off.
+    double blocker(glsl::vec2 xy, glsl::vec2 slope) const { return blocker(xy, slope, xy); }
+    double blocker(glsl::vec2 xy, glsl::vec2 slope, glsl::vec2 point) const
     {
         glsl::SunMap m{glsl::ivec2(0), side, double(side), 1.0, glsl::ivec2(0), glsl::vec2(1.0), glsl::vec2(0.0)};
-        glsl::SunReceiver r{glsl::vec3(xy, 8.0), glsl::vec2(0.0), 0.05, 3.0};
+        glsl::SunReceiver r{glsl::vec3(point, 8.0), glsl::vec2(0.0), 0.05, 3.0};
         return glsl::sunBlocker(glsl::sampler2D{_texels.data(), side, side}, m, r, xy, slope);
     }
 
@@ -41,6 +43,17 @@ class Heights
 const double floorHeight = 8.0;
 
 }  // namespace
+
+// A wall's foot at x = 10, where the floor ends: the map shows the wall before it, and beyond it nothing.
+TEST(sunshadow, ATexelWithoutTheReceiversSurfaceSaysNothing)
+{
+    const Heights wall([](int x, int) { return x < 10 ? 20.0 : 0.0; });
+    for (const double across : {9.2, 9.8, 10.0, 10.3})
+        EXPECT_GT(wall.blocker({across, 16.3}, {0.0, 0.0}, {9.9, 16.4}), 0.0) << across;
+    const Heights table([](int x, int) { return x < 10 ? floorHeight : 0.0; });
+    for (const double across : {9.2, 9.8, 10.0, 10.3})
+        EXPECT_LT(table.blocker({across, 16.3}, {0.0, 0.0}, {9.9, 16.4}), 0.0) << across;
+}
 
 // The disc cut into 16 parts of the same area: each holds its share of a cell's points.
 TEST(sunshadow, PointsCoverTheDiscEvenly)
