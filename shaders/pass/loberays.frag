@@ -90,7 +90,7 @@ void main()
     vec3 along = l.eyeFromLocal * s.direction;
     mat3 placesDirection = mat3(placesFromEye);
     vec3 from = vec3(placesFromEye * vec4(origin, 1.0));
-    SceneHit met = sceneHit(rayNodeMap, rayTriangleMap, from, placesDirection * along, 4.0 * sceneRadius);
+    SceneHit met = sceneHit(rayNodeMap, rayTriangleMap, from, placesDirection * along, 4.0 * sceneRadius, STOPS_BY_PLACE);
     bool misses = met.distance == MISSED;
 #ifndef MAP_IS_BLACK
     vec3 shown = misses ? 1.0 - l.shown : -l.shown;

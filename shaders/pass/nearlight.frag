@@ -77,7 +77,7 @@ void main()
     // Normals that were smoothed over edges lean: a ray may begin behind the plane of its own surface.
     bool looks = dot(along, turn * facet) > 0.0 && 1.0 - ambientVisibility(p) > LEAST_HIDDEN;
     float within = looks ? bounceNearDistance * probeSpacing : 0.0;
-    SceneHit met = sceneHit(rayNodeMap, rayTriangleMap, origin, along, within);
+    SceneHit met = sceneHit(rayNodeMap, rayTriangleMap, origin, along, within, STOPS_BY_PLACE);
     near = vec4(0.0);
     if (!looks || met.distance == MISSED) return;
     // The probes take over gradually.

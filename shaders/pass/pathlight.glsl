@@ -118,7 +118,7 @@ vec3 lightAt(vec3 place, vec3 n, bool isLast)
 
 SceneHit nextHit(vec3 origin, vec3 along)
 {
-    return sceneHit(rayNodeMap, rayTriangleMap, origin, along, 4.0 * sceneRadius);
+    return sceneHit(rayNodeMap, rayTriangleMap, origin, along, 4.0 * sceneRadius, STOPS_BY_PLACE);
 }
 
 // What a lobe sends of lamps and suns. The path's next ray finds the rest of the map.

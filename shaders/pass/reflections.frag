@@ -130,7 +130,7 @@ void main()
     if (share < 1.0 && traced > 0.0) {
         vec3 from = vec3(atlasFromEye * vec4(origin, 1.0));
         vec3 along = mat3(atlasFromEye) * (eyeFromLocal * d);
-        SceneHit met = sceneHit(rayNodeMap, rayTriangleMap, from, along, 2.0 * sceneRadius);
+        SceneHit met = sceneHit(rayNodeMap, rayTriangleMap, from, along, 2.0 * sceneRadius, STOPS_FROM_HALF);
         if (met.distance != MISSED) reflection += (1.0 - share) * traced * sceneRadiance(met, from + met.distance * along);
 #ifdef RAYS_MEET_ALL
         else if (share == 0.0 && hasSharpLobe(p, b)) reflection.a = -traced;

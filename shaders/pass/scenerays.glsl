@@ -2,7 +2,8 @@
 // Where does a ray meet a triangle of the scene? Two textures hold a hierarchy of boxes over the triangles. A node has two texels, the
 // corners of its box. The alpha of the first is the number of the node's first child; the second child follows it. A leaf has a negative
 // number there: -(RAY_LEAF * its first triangle + how many it has). A triangle has four texels: a corner, and in its alpha the number of
-// the surface; the two edges from there; the three corners' normals by packDirection(), negative if it is flat.
+// the surface; the two edges from there, with the share of rays that the surface stops in the first one's alpha; the three corners' normals
+// by packDirection(), negative if it is flat.
 #ifndef SCENERAYS_GLSL
 #define SCENERAYS_GLSL
 
@@ -10,6 +11,12 @@
 #include "lib/octahedral.glsl"
 
 const float MISSED = 3e38;
+
+// What has holes, or is transparent, stops a ray in as many places of each triangle as its opacity says. Averages of rays see that right.
+const float STOPS_BY_PLACE = -1.0;
+// Or it stops all rays from this opacity on: a single ray makes sharp pictures of what is mostly there.
+const float STOPS_FROM_HALF = 0.5;
+const float HOLES_ACROSS = 64.0;  // places along an edge
 
 struct SceneHit {
     float distance;  // MISSED: nothing is met
@@ -36,12 +43,21 @@ float boxEntry(vec3 low, vec3 high, vec3 origin, vec3 inverse, float limit)
     return from <= to ? from : MISSED;
 }
 
+// A number in [0,1) that looks random, of a place in a triangle.
+float placeNumber(int triangle, vec2 at)
+{
+    uint h = uint(triangle) * 0x9E3779B9u ^ uint(at.x * HOLES_ACROSS) * 0x85EBCA6Bu ^ uint(at.y * HOLES_ACROSS) * 0xC2B2AE35u;
+    h = (h ^ h >> 15) * 0x2C1B3C6Du;
+    return float((h ^ h >> 13) >> 8) / 16777216.0;
+}
+
 // [Moeller, Trumbore 1997]. Each triangle is a little larger than it is, so that no ray passes between two that share an edge.
-void meetTriangle(sampler2D triangles, int i, vec3 origin, vec3 direction, inout SceneHit hit)
+void meetTriangle(sampler2D triangles, int i, vec3 origin, vec3 direction, float stops, inout SceneHit hit)
 {
     const float margin = 1e-5;  // of an edge, beyond what single precision loses
     vec4 corner = rayTexel(triangles, TRIANGLE_TEXELS * i);
-    vec3 edge = rayTexel(triangles, TRIANGLE_TEXELS * i + 1).xyz;
+    vec4 edgeTexel = rayTexel(triangles, TRIANGLE_TEXELS * i + 1);
+    vec3 edge = edgeTexel.xyz;
     vec3 otherEdge = rayTexel(triangles, TRIANGLE_TEXELS * i + 2).xyz;
     vec3 p = cross(direction, otherEdge);
     float determinant = dot(edge, p);
@@ -53,11 +69,13 @@ void meetTriangle(sampler2D triangles, int i, vec3 origin, vec3 direction, inout
     float distance = dot(otherEdge, q) * inverse;
     if (determinant == 0.0 || u < -margin || u > 1.0 + margin || v < -margin || u + v > 1.0 + margin) return;
     if (!(distance > 0.0 && distance < hit.distance)) return;
+    float opacity = edgeTexel.w;
+    if (stops == STOPS_BY_PLACE ? opacity <= placeNumber(i, max(vec2(u, v), vec2(0.0))) : opacity < stops) return;
     hit = SceneHit(distance, cross(edge, otherEdge) * (determinant > 0.0 ? 1.0 : -1.0), int(corner.w), i, vec2(u, v));
 }
 
-// The nearest one. direction: of unit length.
-SceneHit sceneHit(sampler2D nodes, sampler2D triangles, vec3 origin, vec3 direction, float within)
+// The nearest one. direction: of unit length. stops: STOPS_BY_PLACE or STOPS_FROM_HALF.
+SceneHit sceneHit(sampler2D nodes, sampler2D triangles, vec3 origin, vec3 direction, float within, float stops)
 {
     vec3 inverse = 1.0 / mix(direction, vec3(1e-20), lessThan(abs(direction), vec3(1e-20)));
     SceneHit hit = SceneHit(within, vec3(0.0), 0, 0, vec2(0.0));
@@ -81,7 +99,7 @@ SceneHit sceneHit(sampler2D nodes, sampler2D triangles, vec3 origin, vec3 direct
         }
         int next = -at / RAY_LEAF;
         int last = next + (-at & (RAY_LEAF - 1));
-        while (next < last) meetTriangle(triangles, next++, origin, direction, hit);
+        while (next < last) meetTriangle(triangles, next++, origin, direction, stops, hit);
         at = count > 0 ? waiting[--count] : 0;
     }
     if (hit.distance == within) hit.distance = MISSED;

@@ -68,7 +68,7 @@ Choice chooseTexel(vec2 u)
 vec3 endOf(vec3 place, vec3 d)
 {
 #ifdef HAS_SCENE_RAYS
-    SceneHit hit = sceneHit(rayNodeMap, rayTriangleMap, place + reflectorLift * d, d, MISSED);
+    SceneHit hit = sceneHit(rayNodeMap, rayTriangleMap, place + reflectorLift * d, d, MISSED, STOPS_BY_PLACE);
     if (hit.distance == MISSED) return vec3(0.0);
     vec3 n = normalize(hit.normal);
     return n / (dot(n, d) * (hit.distance + reflectorLift) - reflectorLift);

@@ -2,6 +2,7 @@
 // Rays of shaders/pass/scenerays.glsl against CasterBvh, whose own test tries every triangle.
 #include "indirect/SceneRays.h"
 
+#include <cmath>
 #include <cstring>
 #include <random>
 
@@ -38,7 +39,7 @@ glm::vec4 padded(const Vec3f& v)
 }
 
 // Distances, negative where nothing is met, and the numbers of surfaces.
-std::vector<glm::vec4> hitsOf(const SceneRays& scene, const std::vector<Ray>& rays)
+std::vector<glm::vec4> hitsOf(const SceneRays& scene, const std::vector<Ray>& rays, const std::string& stops = "STOPS_BY_PLACE")
 {
     std::vector<std::vector<glm::vec4>> columns(2);
     for (const Ray& r : rays) {
@@ -46,10 +47,11 @@ std::vector<glm::vec4> hitsOf(const SceneRays& scene, const std::vector<Ray>& ra
         columns[1].push_back(padded(r.direction));
     }
     return parity::context().evaluate({"pass/scenerays.glsl"},
-                                      "SceneHit hit = sceneHit(nodes, triangles, a.xyz, b.xyz, 1e3);\n"
-                                      "bool met = hit.distance != MISSED;\n"
-                                      "result = vec4(met ? hit.distance : -1.0, met ? hit.surface : -1,\n"
-                                      "              dot(hit.normal, b.xyz), 0.0);",
+                                      "SceneHit hit = sceneHit(nodes, triangles, a.xyz, b.xyz, 1e3, " + stops +
+                                          ");\n"
+                                          "bool met = hit.distance != MISSED;\n"
+                                          "result = vec4(met ? hit.distance : -1.0, met ? hit.surface : -1,\n"
+                                          "              dot(hit.normal, b.xyz), 0.0);",
                                       columns, {tableOf("nodes", *scene.nodes), tableOf("triangles", *scene.triangles)});
 }
 
@@ -139,16 +141,38 @@ TEST(scenerays, DeepHierarchies)
     expectHitsOfBvh(scene, 4);
 }
 
-TEST(scenerays, PassWhatIsMostlyHoles)
+TEST(scenerays, SingleRaysPassWhatIsMostlyHoles)
 {
     TracedScene scene;
     addQuad(scene, addSurface(scene, false, 0.4f), Vec3f(-1, -1, 1), Vec3f(2, 0, 0), Vec3f(0, 2, 0));
     addQuad(scene, addSurface(scene, false, 0.6f), Vec3f(-1, -1, 2), Vec3f(2, 0, 0), Vec3f(0, 2, 0));
     addQuad(scene, addSurface(scene, false), Vec3f(-1, -1, 3), Vec3f(2, 0, 0), Vec3f(0, 2, 0));
     const osg::ref_ptr<SceneRays> rays = new SceneRays(scene, CasterBvh(scene), {}, 16);
-    const glm::vec4 hit = hitsOf(*rays, {{Vec3f(0.1f, 0.2f, 0), Vec3f(0, 0, 1)}}).front();
+    const glm::vec4 hit = hitsOf(*rays, {{Vec3f(0.1f, 0.2f, 0), Vec3f(0, 0, 1)}}, "STOPS_FROM_HALF").front();
     EXPECT_FLOAT_EQ(2.0f, hit.x);
     EXPECT_FLOAT_EQ(1.0f, hit.y);
+}
+
+// Each surface stops its share of those that reach it, at whatever places: the first .4, the second .5 of the rest, the last all.
+TEST(scenerays, ManyRaysPassHolesByTheirShare)
+{
+    TracedScene scene;
+    addQuad(scene, addSurface(scene, false, 0.4f), Vec3f(-1, -1, 1), Vec3f(2, 0, 0), Vec3f(0, 2, 0));
+    addQuad(scene, addSurface(scene, false, 0.5f), Vec3f(-1, -1, 2), Vec3f(2, 0, 0), Vec3f(0, 2, 0));
+    addQuad(scene, addSurface(scene, false), Vec3f(-1, -1, 3), Vec3f(2, 0, 0), Vec3f(0, 2, 0));
+    const osg::ref_ptr<SceneRays> gpu = new SceneRays(scene, CasterBvh(scene), {}, 16);
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> between(-0.99f, 0.99f);
+    std::vector<Ray> rays;
+    for (int i = 0; i < 8000; ++i) rays.push_back({Vec3f(between(random), between(random), 0), Vec3f(0, 0, 1)});
+    double stopped[3] = {};
+    for (const glm::vec4& hit : hitsOf(*gpu, rays)) stopped[int(hit.y)] += 1.0 / double(rays.size());
+    const double error =
+        4.0 * std::sqrt(0.25 / 4096.0);  // four standard deviations of as many places, two triangles of half as many
+    EXPECT_NEAR(0.4, stopped[0], error);
+    EXPECT_NEAR(0.3, stopped[1], error);
+    EXPECT_NEAR(0.3, stopped[2], error);
+    EXPECT_EQ(hitsOf(*gpu, rays), hitsOf(*gpu, rays)) << "always the same";
 }
 
 // Between the corners', on the side that is met; of a flat triangle its own.
@@ -165,8 +189,9 @@ TEST(scenerays, NormalsAreThoseBetweenTheCorners)
     const std::vector<std::vector<glm::vec4>> rays = {{glm::vec4(1, 2, 2, 0), glm::vec4(1, 2, -2, 0), glm::vec4(1, 2, 3, 0)},
                                                       {glm::vec4(0, 0, -1, 0), glm::vec4(0, 0, 1, 0), glm::vec4(0, 0, 1, 0)}};
     const std::vector<glm::vec4> normals = parity::context().evaluate(
-        {"pass/scenerays.glsl"}, "result = vec4(smoothNormal(triangles, sceneHit(nodes, triangles, a.xyz, b.xyz, 1e3)), 0.0);",
-        rays, {tableOf("nodes", *gpu->nodes), tableOf("triangles", *gpu->triangles)});
+        {"pass/scenerays.glsl"},
+        "result = vec4(smoothNormal(triangles, sceneHit(nodes, triangles, a.xyz, b.xyz, 1e3, STOPS_BY_PLACE)), 0.0);", rays,
+        {tableOf("nodes", *gpu->nodes), tableOf("triangles", *gpu->triangles)});
     Vec3f exact = corners[0] * 0.25f + corners[1] * 0.25f + corners[2] * 0.5f;
     exact.normalize();
     for (int k = 0; k < 3; ++k) {  // 1e-3: packDirection()

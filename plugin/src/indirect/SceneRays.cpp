@@ -14,8 +14,6 @@ namespace
 {
 
 constexpr int columns = limits::RAY_COLUMNS;
-constexpr float leastOpacity = 0.5f;   // what lets more rays pass than it stops is met by none
-constexpr float slightOpacity = 0.1f;  // how wrong that may be
 
 Texels makeTable(size_t texels)
 {
@@ -37,9 +35,6 @@ SceneRays::SceneRays(const TracedScene& scene, const CasterBvh& bvh, const std::
 {
     static_assert(CasterBvh::leafSize < limits::RAY_LEAF);
     static_assert(mostTriangles * limits::RAY_LEAF < 1u << 24, "they are kept as floats");
-    isExact = std::all_of(scene.surfaces.begin(), scene.surfaces.end(), [](const TracedScene::Surface& s) {
-        return s.opacity <= slightOpacity || s.opacity >= 1.0f - slightOpacity;
-    });
     writeNodes(bvh);
     writeTriangles(scene, bvh);
     writeCells(scene, parts, partsPerPoint);
@@ -62,11 +57,10 @@ void SceneRays::writeTriangles(const TracedScene& scene, const CasterBvh& bvh)
     for (size_t i = 0; i < bvh.triangles().size(); ++i) {
         const CasterBvh::Triangle& t = bvh.triangles()[i];
         const unsigned surface = scene.surfaceOf[t.number];
-        if (scene.surfaces[surface].opacity < leastOpacity) continue;
         const CasterMesh::Normals& n = scene.normals.empty() ? CasterMesh::flat : scene.normals[t.number];
         const int first = limits::TRIANGLE_TEXELS * int(i);
         texels.put(first, t.corner, float(surface));
-        texels.put(first + 1, t.edge, 0.0f);
+        texels.put(first + 1, t.edge, scene.surfaces[surface].opacity);
         texels.put(first + 2, t.otherEdge, 0.0f);
         texels.put(first + 3, osg::Vec3f(n[0], n[1], n[2]), 0.0f);
     }

@@ -26,9 +26,6 @@ class OSGENVLIGHT_EXPORT SceneRays : public osg::Referenced
     osg::ref_ptr<osg::Texture2D> cellPoints;
     int cellColumns = 0, cellRows = 0;  // cells in it
 
-    /** What rays pass or meet lets nearly all light pass or stops nearly all: there are no leaves with holes. */
-    bool isExact = true;
-
     /** For pass/scenecells.glsl. */
     osg::ref_ptr<osg::StateSet> uniforms;
 

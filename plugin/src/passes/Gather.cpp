@@ -21,7 +21,6 @@ Requirement requireGather(const FrameContext& c)
     const TransportScene& scene = *c.indirect->scene;
     gather.unless(scene.triangles > SceneRays::mostTriangles, "the scene has too many triangles for rays");
     gather.unless(!scene.rays, "the triangles are being made ready for rays");
-    gather.unless(scene.rays && !scene.rays->isExact, "something has holes");
     gather.unless(!c.indirect->isOfCasters || !c.skyMaps->still().noneMoves(), "something moves");
     return gather;
 }

@@ -32,8 +32,7 @@ Requirement requireNearLight(const FrameContext& c)
     const TransportScene& scene = *c.indirect->scene;
     near.unless(scene.openShare > mostOpenForNearLight(c.settings), "surfaces hide too little of the map");
     near.unless(scene.triangles > SceneRays::mostTriangles, "the scene has too many triangles for rays");
-    near.unless(!scene.rays, "the triangles are being made ready for rays");
-    return near.unless(scene.rays && !scene.rays->isExact, "something has holes");
+    return near.unless(!scene.rays, "the triangles are being made ready for rays");
 }
 
 Requirement NearLightPass::require(const FrameContext& c) const
