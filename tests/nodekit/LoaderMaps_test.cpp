@@ -11,7 +11,7 @@
 #include <fstream>
 
 #include "FeatureCards.h"
-#include "surface/SurfaceFacts.h"
+#include "surface/CasterState.h"
 
 namespace LoaderMaps_test
 {
@@ -152,6 +152,22 @@ TEST_F(LoaderMaps, AMaskMakesHolesThatCastNoShadow)
         }
         EXPECT_NEAR(picture.color(size - 5, size / 2)[1], 0.0, small);
     }
+}
+
+TEST_F(LoaderMaps, AMaskLetsItsShareOfLightPass)
+{
+    const osg::ref_ptr<osg::Geode> model = loaded();
+    const osg::Geometry& geometry = *model->getDrawable(0)->asGeometry();
+    const auto stateOf = [&] {
+        osgEnvLight::CasterState state;
+        state.merge(*model->getStateSet());
+        return state;
+    };
+    addMap(*model, 1, striped(grey, white));
+    EXPECT_FALSE(stateOf().perforated(geometry));
+    addMap(*model, 1, twoHalves(black, white));
+    EXPECT_TRUE(stateOf().perforated(geometry));
+    EXPECT_NEAR(stateOf().opacity(geometry), 0.5, 1e-6);
 }
 
 // As a 3D artist's tool writes it: the image of the colour once more as that of ambient light, opacity and relief.

@@ -268,7 +268,7 @@ void CasterCollector::setLight(const osg::Geometry& geometry, Caster& caster)
         if (!level.sent) level.sent = state.sentLight(geometry, _displayColors);
         caster.sent = *level.sent;
     }
-    if (_findsSentLight && caster.state) caster.sent.opacity = state.opacity();
+    if (_findsSentLight && caster.state) caster.sent.opacity = state.opacity(geometry);
     if (!level.lamp) level.lamp = state.lampEmission(_lampRule);
     if (*level.lamp == osg::Vec3f() || state.drawnForward(&geometry)) return;
     caster.lamp = *level.lamp;

@@ -131,8 +131,9 @@ osg::Vec3f SentLightState::surfaceColor(const osg::Geometry& geometry, const osg
     }
 }
 
-float SentLightState::opacity() const
+float SentLightState::opacity(const osg::Geometry& geometry) const
 {
+    if (const TextureUnit* unit = mask(&geometry)) return factsOf(*unit->texture.as<osg::Texture>()).mean[0];
     const osg::Material* m = osgMaterial();
     const float material = m && !vertexColored() ? m->getDiffuse(osg::Material::FRONT).a() : 1.0f;
     const float texel = texture() && textureMode() != TEXTURE_DECAL ? textureFacts().opacity : 1.0f;

@@ -20,7 +20,7 @@ class OSGENVLIGHT_EXPORT SentLightState : public SurfaceState
     SentLight sentLight(const osg::Geometry& geometry, bool displayColors) const;
 
     /** Mean alpha of what is blended or perforated. */
-    float opacity() const;
+    float opacity(const osg::Geometry& geometry) const;
 
   private:
     osg::Vec3f surfaceColor(const osg::Geometry& geometry, const osg::Vec3f& material, bool displayColors) const;

@@ -144,6 +144,7 @@ class OSGENVLIGHT_EXPORT SurfaceState
 
   protected:
     SurfaceFacts* facts() const { return _facts; }
+    TextureFacts factsOf(const osg::Texture& texture) const;
     /** TexMat of unit 0. */
     const osg::StateAttribute* firstMatrix() const { return _units[0].matrix.attribute; }
 
@@ -154,7 +155,6 @@ class OSGENVLIGHT_EXPORT SurfaceState
     void mergeMaps(const osg::StateSet& stateSet);
     bool cookTorrance() const { return _brdf == Material::COOK_TORRANCE || _brdf == Material::BECKMANN; }
     bool translucent(const osg::Geometry* geometry) const;
-    TextureFacts factsOf(const osg::Texture& texture) const;
     bool tracksColors() const;
     enum Blending { BLENDS_BY_ALPHA, BLENDS_PREMULTIPLIED, BLENDS_OTHERWISE };
     Blending blendingKind() const;
