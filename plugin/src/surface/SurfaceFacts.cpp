@@ -116,10 +116,10 @@ osg::Vec3f meanOf(const Array& colors, double one)
     return colors.empty() ? osg::Vec3f(1, 1, 1) : osg::Vec3f(sum / double(colors.size()));
 }
 
-// Counts texels that look like those of a normal map or of a mask. Of 275 images (77 of the Crytek Sponza, those of
-// OpenSceneGraph, Assimp and Blender) the 20 normal maps have 80 % loose ones or more among those that are not black, tight ones
-// 89 % or more in 15; no other image has 60 % of either. The three masks are 88 % black or white or more; maps of gloss at most
-// 60 %.
+// Counts texels that look like those of a normal map or of a mask. Measured with 265 images: 77 of Crytek's Sponza, and those
+// that come with OpenSceneGraph, Assimp and Blender. Of what is not black in the 22 normal maps, .87 and more are loosely of unit
+// length, in 20 of them .88 and more tightly, and the mean leans by .03 at most; no other image with .46 loose ones leans by less
+// than .24. The three masks are black or white in .88 of their texels and more; so are drawings of lines, but no map of gloss.
 class TexelCensus
 {
   public:

@@ -66,8 +66,6 @@ class OSGENVLIGHT_EXPORT SurfaceState
      * @param geometry  null: not known; it has all coordinates */
     using Stages = std::array<TextureStage, limits::STAGED_UNITS>;
     Stages stages(const osg::Geometry* geometry) const;
-    /** There are units after the first. */
-    bool hasLaterUnits() const { return _laterUnits; }
     /** The unit of the mask among those stages; null: none. */
     const TextureUnit* mask(const osg::Geometry* geometry) const;
     /** Some map without coordinates is none of this. */
