@@ -13,11 +13,13 @@ float riseToCorner(float slope)
     return 0.71 * abs(slope);
 }
 
-// Height half-way between the first and the second surface, by their depths; the first where none is behind it. Thin bodies and what has
-// nothing behind it are let down by what they rise within a texel, not to shade themselves: by limit at most, or three times that where
-// nothing is behind or they are known to be sheets. What lies behind a sheet, such as the floor at the foot of a wall, is not the sheet
-// itself, however close. slope: of the first surface, heights per texel, negative for sheets. back: 1 if the second surface shows its
-// back, else 0. limit: a texel in heights.
+// The height half-way between the first and the second surface, by their depths; that of the first if there is no second.
+// Thin bodies, and surfaces with nothing behind them, would shade themselves: they are lowered by what they rise within a texel. The most
+// is limit, or three times that for sheets and for what has nothing behind it.
+// A second surface that shows its front is another thing behind a sheet, as the floor at the foot of a wall. However close it is, the
+// height stays above it.
+// slope: of the first surface, heights per texel, negative for sheets. back: 1 if the second surface shows its back, else 0. limit: a texel
+// in heights.
 float midpointHeight(float firstDepth, float secondDepth, float slope, float back, float limit)
 {
     if (firstDepth >= 1.0) return 0.0;

@@ -31,8 +31,8 @@ float guideOpening(vec3 to, float radius)
     return sine2 < 1.0 ? sine2 / (1.0 + sqrt(1.0 - sine2)) : 2.0;
 }
 
-// What the guide sends to a surface with normal n, as radiance that a white one would send on, by what a probe sees of it. seen: the part
-// of the probe's mean radiance that comes from there; toProbe: from the centre.
+// The radiance that a white surface with normal n would send on of the guide's light, estimated from what a probe sees of the guide.
+// seen: the part of the probe's mean radiance that comes from the guide. toProbe: from the guide's centre.
 float guideWeight(vec3 to, float radius, vec3 n, float seen, vec3 toProbe)
 {
     float least = radius * radius;

@@ -5,6 +5,7 @@
 #ifndef SUNSHADOW_GLSL
 #define SUNSHADOW_GLSL
 
+#include "lib/atlas.glsl"
 #include "lib/sequence.glsl"
 
 // Surfaces that rise by no more than this from a texel to the next are one.
@@ -85,16 +86,14 @@ float sunPlane(SunReceiver r, vec4 surface)
     return r.point.z + dot(r.gradient, vec2(surface.z, surface.w) - vec2(r.point));
 }
 
-// Where a ray begins. A texel that shows less than the receiver's own surface, as below the foot of a wall on a floor that ends there, says
-// nothing of what hides it: the next texel does, towards the receiver.
+// Where a ray begins: at xy, unless that texel shows less than the receiver's own surface. Such a texel lies beyond the surface's end, as
+// below the foot of a wall at which a floor ends, and does not show what hides the receiver. The next texel towards the receiver does.
 vec2 sunStart(sampler2D sunMaps, SunMap m, SunReceiver r, vec2 xy)
 {
     vec4 surface = sunSurface(sunMaps, m, xy);
     if (surface.x >= sunPlane(r, surface) - 2.0 * r.slack) return xy;
     vec2 centre = vec2(surface.z, surface.w);
-    vec2 way = vec2(r.point) - centre;
-    vec2 next = abs(way.x) > abs(way.y) ? vec2(way.x < 0.0 ? -1.0 : 1.0, 0.0) : vec2(0.0, way.y < 0.0 ? -1.0 : 1.0);
-    return centre + next;
+    return centre + vec2(neighbourTowards(vec2(r.point) - centre));
 }
 
 // Whether a texel's surface is another than the receiver's own.
@@ -129,7 +128,7 @@ bool sunMayMeet(SunReceiver r, vec4 surface, float low, float high)
     return height > low && height <= high && sunHides(r, surface);
 }
 
-// How high above the receiver a ray from there that moves by slope for each unit of height is blocked; negative where it is not.
+// How high above the receiver a ray is blocked that begins at `from` and moves by slope for each unit of height; negative: it is not.
 // The ray is followed over intervals, each longer than the last. It may miss a thing that is much thinner than the disc is wide.
 // A surface found at an end of an interval blocks the ray in two cases. First, the ray meets it at the surface's own height: the
 // texel below the ray at that height is looked up, twice if its surface has another height, since a slope is a row of steps.

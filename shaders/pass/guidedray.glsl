@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The next ray of a path from a Lambert layer. Much light may come from small bright places, which few cosine-weighted rays find. So some
-// rays are aimed at them, and the rest are cosine-weighted [one-sample multiple importance sampling: Veach 1997, 9.2.4]. A probe close by
-// says which places send light here. Whatever it says, the mean over the rays is right.
+// The next ray of a path from a Lambert layer. Small bright places may send much light, but few cosine-weighted rays find them. Some rays
+// are therefore aimed at such places, and the others are cosine-weighted [one-sample multiple importance sampling: Veach 1997, 9.2.4].
+// A probe close by says which places send light here. If it is wrong, there is more noise; the mean over the rays stays right.
 #ifndef GUIDEDRAY_GLSL
 #define GUIDEDRAY_GLSL
 

@@ -16,7 +16,7 @@ uniform float pointSpacing;  // side of the square that a point stands for
 
 layout(location = 0) out uvec4 guide;
 
-// A direction is bright if it brings so many times what is usual at the probe. Noise (RMS) of single rays: in a living room with a shaded
+// A direction is bright if its radiance is this many times the usual one at the probe. Noise (RMS) of single rays: in a living room with a shaded
 // lamp .255 without guides, and .12 to .15 with 2, 4 and 8; in a sunlit atrium .0138 without, .0127 and .0116 with 2 and 4.
 const float BRIGHT = 4.0;
 

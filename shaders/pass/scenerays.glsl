@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Where does a ray meet a triangle of the scene? Two textures hold a hierarchy of boxes over the triangles. A node has two texels, the
 // corners of its box. The alpha of the first is the number of the node's first child; the second child follows it. A leaf has a negative
-// number there: -(RAY_LEAF * its first triangle + how many it has). A triangle has four texels: a corner, and in its alpha the number of
-// the surface; the two edges from there, with the share of rays that the surface stops in the first one's alpha; the three corners' normals
-// by packDirection(), negative if it is flat.
+// number there: -(RAY_LEAF * its first triangle + how many it has). A triangle has four texels. The first is
+// a corner; its alpha is the number of the surface. Two are the edges from that corner; the first edge's alpha is the surface's opacity.
+// The last holds the normals of the three corners by packDirection(), negative if the triangle is flat.
 #ifndef SCENERAYS_GLSL
 #define SCENERAYS_GLSL
 
@@ -12,9 +12,9 @@
 
 const float MISSED = 3e38;
 
-// What has holes, or is transparent, stops a ray in as many places of each triangle as its opacity says. Averages of rays see that right.
+// A surface with holes, or a transparent one, stops a ray in a share of its places that is its opacity. The mean over rays is right.
 const float STOPS_BY_PLACE = -1.0;
-// Or it stops all rays from this opacity on: a single ray makes sharp pictures of what is mostly there.
+// Or it stops every ray if its opacity is at least this. A mirror, which has one ray a pixel, then shows sharp outlines.
 const float STOPS_FROM_HALF = 0.5;
 const float HOLES_ACROSS = 64.0;  // places along an edge
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The texture units of fixed function after the first, and normal maps in any unit [OpenGL 2.1, 3.8.13]. Like the host's own pictures,
-// they add and mix display values. A stage is the unit of its number, or a map that a loader left in a unit further on.
+// they add and mix display values. A stage is the unit of its number, or a map that a reader of files left in a unit further on.
 #ifndef TEXTURESTAGES_GLSL
 #define TEXTURESTAGES_GLSL
 #pragma import_defines(TEXTURE_STAGES)

@@ -15,7 +15,6 @@ void CasterState::merge(const osg::StateSet& s)
 
 unsigned CasterState::flags(const osg::Geometry& geometry) const
 {
-    if (mask(&geometry)) return MASKED;
     unsigned bits = 0;
     if (blended(&geometry)) bits |= BLENDED;
     if (textureMode() == TEXTURE_REPLACES) bits |= TEXTURE_REPLACES_ALPHA;
@@ -26,7 +25,7 @@ unsigned CasterState::flags(const osg::Geometry& geometry) const
 CasterState::Key CasterState::key(const osg::Geometry& geometry) const
 {
     if (const TextureUnit* unit = mask(&geometry))
-        return {unit->texture.attribute, unit->matrix.attribute, nullptr, nullptr, flags(geometry)};
+        return {unit->texture.attribute, unit->matrix.attribute, nullptr, nullptr, MASKED};
     const bool tested = _alphaTest.on;
     const osg::Texture* alpha = textureMode() == TEXTURE_DECAL ? nullptr : texture();  // a decal keeps the alpha below it
     return {alpha, alpha ? firstMatrix() : nullptr, tested ? _alphaFunction.attribute : nullptr, osgMaterial(), flags(geometry)};

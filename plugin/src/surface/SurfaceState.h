@@ -60,8 +60,8 @@ class OSGENVLIGHT_EXPORT SurfaceState
     bool projected() const { return _units[0].texGen[3].on; }
     TextureFacts textureFacts() const;
     /** How the texture units join the colour below them. Of unit 0 only whether it is a normal map: textureMode() says the rest.
-     * A map in a later unit for which the drawable has no coordinates is one that a loader left there, as OpenSceneGraph's
-     * reader of OBJ does; fixed function would multiply by some one texel. It has those of unit 0 and is what its texels look
+     * A map in a later unit for which the drawable has no coordinates is one that a reader of files left there, as that of
+     * OBJ does; fixed function would multiply by some one texel. It has those of unit 0 and is what its texels look
      * like: a normal map, a mask of holes, else nothing. Such maps take stages that are free.
      * @param geometry  null: not known; it has all coordinates */
     using Stages = std::array<TextureStage, limits::STAGED_UNITS>;
@@ -159,7 +159,7 @@ class OSGENVLIGHT_EXPORT SurfaceState
     const char* unsupportedRaster(const osg::Geometry* geometry) const;
     const char* unsupportedTexture(const osg::Geometry* geometry) const;
     bool lacksCoordinates(size_t unit, const osg::Geometry* geometry) const;
-    int loaderMap(size_t unit, const osg::Geometry& geometry) const;
+    int readerMap(size_t unit, const osg::Geometry& geometry) const;
     bool firstIsNormalMap() const;
     const TextureFacts& firstFacts() const;
 

@@ -90,7 +90,7 @@ bool SurfaceState::lacksCoordinates(size_t unit, const osg::Geometry* geometry) 
 }
 
 // What the map of a unit without coordinates is, as a stage.
-int SurfaceState::loaderMap(size_t unit, const osg::Geometry& geometry) const
+int SurfaceState::readerMap(size_t unit, const osg::Geometry& geometry) const
 {
     if (!geometry.getTexCoordArray(0)) return limits::STAGE_NONE;
     switch (factsOf(*_units[unit].texture.as<osg::Texture>()).texels) {
@@ -119,7 +119,7 @@ SurfaceState::Stages SurfaceState::stages(const osg::Geometry* geometry) const
         return std::any_of(stages.begin(), stages.end(), [&](const TextureStage& s) { return s.kind == kind; });
     };
     for (size_t unit = 1; unit < fixedUnits; ++unit) {
-        const int kind = lacksCoordinates(unit, geometry) ? loaderMap(unit, *geometry) : limits::STAGE_NONE;
+        const int kind = lacksCoordinates(unit, geometry) ? readerMap(unit, *geometry) : limits::STAGE_NONE;
         if (kind == limits::STAGE_NONE || isThere(kind)) continue;
         const auto free =
             std::find_if(stages.begin() + 1, stages.end(), [](const TextureStage& s) { return s.kind == limits::STAGE_NONE; });
@@ -142,7 +142,7 @@ bool SurfaceState::leavesMapsOut(const osg::Geometry* geometry) const
     if (!_laterUnits || _brdf >= 0) return false;
     const size_t first = _stages[0].kind == limits::STAGE_NONE ? 0 : firstFacts().image;
     for (size_t unit = 1; unit < fixedUnits; ++unit) {
-        if (!lacksCoordinates(unit, geometry) || loaderMap(unit, *geometry) != limits::STAGE_NONE) continue;
+        if (!lacksCoordinates(unit, geometry) || readerMap(unit, *geometry) != limits::STAGE_NONE) continue;
         const size_t image = factsOf(*_units[unit].texture.as<osg::Texture>()).image;
         if (image == 0 || image != first) return true;
     }

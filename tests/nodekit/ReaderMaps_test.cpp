@@ -13,7 +13,7 @@
 #include "FeatureCards.h"
 #include "surface/CasterState.h"
 
-namespace LoaderMaps_test
+namespace ReaderMaps_test
 {
 
 using namespace feature_cards;
@@ -65,9 +65,9 @@ double leanOf(const osg::ref_ptr<osg::Node>& model, SceneRenderer& renderer, int
 
 }  // namespace
 
-using LoaderMaps = Features;
+using ReaderMaps = Features;
 
-TEST_F(LoaderMaps, TexelsSayWhatAnImageIs)
+TEST_F(ReaderMaps, TexelsSayWhatAnImageIs)
 {
     EXPECT_EQ(kindOf(striped(right, left)), TexelKind::NORMALS);
     EXPECT_EQ(kindOf(striped(right, right)), TexelKind::COLORS) << "all lean";
@@ -82,7 +82,7 @@ TEST_F(LoaderMaps, TexelsSayWhatAnImageIs)
     EXPECT_EQ(kindOf(striped(red, white)), TexelKind::COLORS);
 }
 
-TEST_F(LoaderMaps, ANormalMapBendsNormalsInWhateverUnit)
+TEST_F(ReaderMaps, ANormalMapBendsNormalsInWhateverUnit)
 {
     for (const unsigned unit : {1u, 3u, 6u}) {
         const osg::ref_ptr<osg::Geode> model = loaded();
@@ -99,7 +99,7 @@ TEST_F(LoaderMaps, ANormalMapBendsNormalsInWhateverUnit)
     }
 }
 
-TEST_F(LoaderMaps, ANormalMapAloneIsNoPicture)
+TEST_F(ReaderMaps, ANormalMapAloneIsNoPicture)
 {
     const osg::ref_ptr<osg::Geode> model = card(3.0, osg::Vec4(0, 1, 0, 1));
     addMap(*model, 0, striped(right, left));
@@ -112,7 +112,7 @@ TEST_F(LoaderMaps, ANormalMapAloneIsNoPicture)
     EXPECT_NEAR(lit(model, 2)[1], decoded(0.5), small);
 }
 
-TEST_F(LoaderMaps, OtherMapsAreLeftOutAndNamedOnce)
+TEST_F(ReaderMaps, OtherMapsAreLeftOutAndNamedOnce)
 {
     const osg::ref_ptr<osg::Geode> model = loaded();
     addMap(*model, 1, striped(grey, osg::Vec4ub(90, 90, 90, 255)));
@@ -127,7 +127,7 @@ TEST_F(LoaderMaps, OtherMapsAreLeftOutAndNamedOnce)
 }
 
 // The card before another one is closed at the right.
-TEST_F(LoaderMaps, AMaskMakesHolesThatCastNoShadow)
+TEST_F(ReaderMaps, AMaskMakesHolesThatCastNoShadow)
 {
     for (const bool open : {false, true}) {
         const osg::ref_ptr<osg::Geode> masked = loaded();
@@ -154,7 +154,7 @@ TEST_F(LoaderMaps, AMaskMakesHolesThatCastNoShadow)
     }
 }
 
-TEST_F(LoaderMaps, AMaskLetsItsShareOfLightPass)
+TEST_F(ReaderMaps, AMaskLetsItsShareOfLightPass)
 {
     const osg::ref_ptr<osg::Geode> model = loaded();
     const osg::Geometry& geometry = *model->getDrawable(0)->asGeometry();
@@ -171,9 +171,9 @@ TEST_F(LoaderMaps, AMaskLetsItsShareOfLightPass)
 }
 
 // As a 3D artist's tool writes it: the image of the colour once more as that of ambient light, opacity and relief.
-TEST_F(LoaderMaps, AnObjFileWithAllItsMaps)
+TEST_F(ReaderMaps, AnObjFileWithAllItsMaps)
 {
-    const std::filesystem::path folder = std::filesystem::temp_directory_path() / "envlight-loader-maps";
+    const std::filesystem::path folder = std::filesystem::temp_directory_path() / "envlight-reader-maps";
     std::filesystem::create_directories(folder);
     ASSERT_TRUE(osgDB::writeImageFile(*twoHalves(red, red), (folder / "color.png").string()));
     ASSERT_TRUE(osgDB::writeImageFile(*twoHalves(black, white), (folder / "mask.png").string()));
@@ -195,4 +195,4 @@ TEST_F(LoaderMaps, AnObjFileWithAllItsMaps)
     EXPECT_NEAR(leanOf(model, renderer, evenColumn), 0.5, 0.05) << "relief";
 }
 
-}  // namespace LoaderMaps_test
+}  // namespace ReaderMaps_test
