@@ -86,21 +86,45 @@ float sunPlane(SunReceiver r, vec4 surface)
     return r.point.z + dot(r.gradient, vec2(surface.z, surface.w) - vec2(r.point));
 }
 
-// Where a ray begins: at xy, unless that texel shows less than the receiver's own surface. Such a texel lies beyond the surface's end, as
-// below the foot of a wall at which a floor ends, and does not show what hides the receiver. The next texel towards the receiver does.
+// Whether a texel's surface is another than the receiver's own. A body is, where its middle lies above the plane: that of a sheet close
+// above the receiver's own surface lies half as high.
+bool sunHides(SunReceiver r, vec4 surface)
+{
+    float plane = sunPlane(r, surface);
+    float rise = surface.x - plane;
+    return rise > r.slack && (surface.y - plane > 0.5 * r.slack || rise > r.slack + r.body);
+}
+
+// Whether a texel's surface may be the receiver's own.
+bool sunMayBeOwn(SunReceiver r, vec4 surface)
+{
+    return abs(surface.x - sunPlane(r, surface)) <= 2.0 * r.slack;
+}
+
+// Whether what hides the receiver in the texel towards it ends or meets the receiver's own surface in this one, as a wall does at its foot:
+// one surface in both, and the receiver's own not on the other side either.
+bool sunContinues(sampler2D sunMaps, SunMap m, SunReceiver r, vec4 surface, vec2 towards)
+{
+    vec2 centre = vec2(surface.z, surface.w);
+    vec4 next = sunSurface(sunMaps, m, centre + towards);
+    if (!sunHides(r, next) || abs(next.x - surface.x) > SUN_STEEP * m.longer) return false;
+    return !sunMayBeOwn(r, sunSurface(sunMaps, m, centre - towards));
+}
+
+// Where a ray begins: at xy, unless that texel shows less than the receiver's own surface, or as much where another one meets it. Such a
+// texel lies beyond the surface's end, as below the foot of a wall at which a floor ends, and does not show what hides the receiver. The
+// next texel towards the receiver does.
 vec2 sunStart(sampler2D sunMaps, SunMap m, SunReceiver r, vec2 xy)
 {
     vec4 surface = sunSurface(sunMaps, m, xy);
-    if (surface.x >= sunPlane(r, surface) - 2.0 * r.slack) return xy;
+    float rise = surface.x - sunPlane(r, surface);
+    if (rise > 2.0 * r.slack) return xy;
     vec2 centre = vec2(surface.z, surface.w);
-    return centre + vec2(neighbourTowards(vec2(r.point) - centre));
-}
-
-// Whether a texel's surface is another than the receiver's own.
-bool sunHides(SunReceiver r, vec4 surface)
-{
-    float plane = sunPlane(r, surface) + r.slack;
-    return surface.x > plane && (surface.y > plane || surface.x > plane + r.body);
+    vec2 away = vec2(r.point) - centre;
+    vec2 towards = vec2(neighbourTowards(away));
+    if (rise < -2.0 * r.slack || sunContinues(sunMaps, m, r, surface, towards)) return centre + towards;
+    vec2 aside = towards.x != 0.0 ? vec2(0.0, away.y < 0.0 ? -1.0 : 1.0) : vec2(away.x < 0.0 ? -1.0 : 1.0, 0.0);
+    return sunContinues(sunMaps, m, r, surface, aside) ? centre + aside : xy;
 }
 
 bool sunAbove(SunReceiver r, vec4 surface, float height)
