@@ -120,11 +120,8 @@ vec2 sunStart(sampler2D sunMaps, SunMap m, SunReceiver r, vec2 xy)
     float rise = surface.x - sunPlane(r, surface);
     if (rise > 2.0 * r.slack) return xy;
     vec2 centre = vec2(surface.z, surface.w);
-    vec2 away = vec2(r.point) - centre;
-    vec2 towards = vec2(neighbourTowards(away));
-    if (rise < -2.0 * r.slack || sunContinues(sunMaps, m, r, surface, towards)) return centre + towards;
-    vec2 aside = towards.x != 0.0 ? vec2(0.0, away.y < 0.0 ? -1.0 : 1.0) : vec2(away.x < 0.0 ? -1.0 : 1.0, 0.0);
-    return sunContinues(sunMaps, m, r, surface, aside) ? centre + aside : xy;
+    vec2 towards = vec2(neighbourTowards(vec2(r.point) - centre));
+    return rise < -2.0 * r.slack || sunContinues(sunMaps, m, r, surface, towards) ? centre + towards : xy;
 }
 
 bool sunAbove(SunReceiver r, vec4 surface, float height)
