@@ -86,8 +86,8 @@ float sunPlane(SunReceiver r, vec4 surface)
     return r.point.z + dot(r.gradient, vec2(surface.z, surface.w) - vec2(r.point));
 }
 
-// Whether a texel's surface is another than the receiver's own. A body is, where its middle lies above the plane: that of a sheet close
-// above the receiver's own surface lies half as high.
+// Whether a texel's surface is another than the receiver's own. A body is another if its middle lies above the receiver's plane. Of a sheet,
+// the middle is half-way to the receiver's own surface: it has to rise by half the slack only.
 bool sunHides(SunReceiver r, vec4 surface)
 {
     float plane = sunPlane(r, surface);
@@ -101,9 +101,10 @@ bool sunMayBeOwn(SunReceiver r, vec4 surface)
     return abs(surface.x - sunPlane(r, surface)) <= 2.0 * r.slack;
 }
 
-// Whether what hides the receiver in the texel towards it ends or meets the receiver's own surface in this one, as a wall does at its foot:
-// one surface in both, and the receiver's own not on the other side either.
-bool sunContinues(sampler2D sunMaps, SunMap m, SunReceiver r, vec4 surface, vec2 towards)
+// Whether the surface that hides the receiver meets the receiver's own surface in this texel, as a wall meets a floor at its foot.
+// It does if three things hold. The next texel towards the receiver hides it. Both texels show one surface. The texel on the other side does
+// not show the receiver's own surface, as it would in front of the wall.
+bool sunMeetsOwn(sampler2D sunMaps, SunMap m, SunReceiver r, vec4 surface, vec2 towards)
 {
     vec2 centre = vec2(surface.z, surface.w);
     vec4 next = sunSurface(sunMaps, m, centre + towards);
@@ -111,9 +112,9 @@ bool sunContinues(sampler2D sunMaps, SunMap m, SunReceiver r, vec4 surface, vec2
     return !sunMayBeOwn(r, sunSurface(sunMaps, m, centre - towards));
 }
 
-// Where a ray begins: at xy, unless that texel shows less than the receiver's own surface, or as much where another one meets it. Such a
-// texel lies beyond the surface's end, as below the foot of a wall at which a floor ends, and does not show what hides the receiver. The
-// next texel towards the receiver does.
+// Where a ray begins: at xy, unless that texel does not show what hides the receiver, but the next one towards the receiver may. There are
+// two such texels. One lies beyond the end of the receiver's surface and shows something lower, as below the foot of a wall at which a floor
+// ends. In the other, the surface that hides the receiver meets the receiver's own: both have the same height.
 vec2 sunStart(sampler2D sunMaps, SunMap m, SunReceiver r, vec2 xy)
 {
     vec4 surface = sunSurface(sunMaps, m, xy);
@@ -121,7 +122,7 @@ vec2 sunStart(sampler2D sunMaps, SunMap m, SunReceiver r, vec2 xy)
     if (rise > 2.0 * r.slack) return xy;
     vec2 centre = vec2(surface.z, surface.w);
     vec2 towards = vec2(neighbourTowards(vec2(r.point) - centre));
-    return rise < -2.0 * r.slack || sunContinues(sunMaps, m, r, surface, towards) ? centre + towards : xy;
+    return rise < -2.0 * r.slack || sunMeetsOwn(sunMaps, m, r, surface, towards) ? centre + towards : xy;
 }
 
 bool sunAbove(SunReceiver r, vec4 surface, float height)

@@ -55,13 +55,13 @@ TEST(sunshadow, ATexelWithoutTheReceiversSurfaceSaysNothing)
         EXPECT_LT(table.blocker({across, 16.3}, {0.0, 0.0}, {9.9, 16.4}), 0.0) << across;
 }
 
-// A sheet comes down to a floor that it hides, and goes on below it: at x = 10 the map shows it as high as the floor.
+// A sheet hides a floor and crosses it at x = 10. The texel there shows the sheet, which is as high as the floor.
 TEST(sunshadow, ASheetHidesAFloorUpToWhereTheyMeet)
 {
     const Heights wall([](int x, int) { return floorHeight + 2.0 * (10 - x); });
     for (const double across : {9.2, 9.8, 10.3, 10.9})
         EXPECT_GT(wall.blocker({across, 16.3}, {0.0, 0.0}, {9.9, 16.4}), 0.0) << across;
-    // The floor before it is seen from the other side.
+    // The sun sees the floor at the sheet's foot: nothing hides it.
     const Heights before([](int x, int) { return x < 10 ? floorHeight + 2.0 * (10 - x) : floorHeight; });
     for (const double across : {10.3, 10.9, 11.2})
         EXPECT_LT(before.blocker({across, 16.3}, {0.0, 0.0}, {10.9, 16.4}), 0.0) << across;
