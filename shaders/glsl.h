@@ -121,6 +121,7 @@ inline vec4 textureLod(const sampler2D& s, vec2 st, double)
 #include "lib/lobesample.glsl"
 #include "lib/ltc.glsl"
 #include "lib/march.glsl"
+#include "lib/metering.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/opensky.glsl"
 #include "lib/phong.glsl"

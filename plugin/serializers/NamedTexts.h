@@ -14,7 +14,7 @@
 class NamedTexts
 {
   public:
-    static constexpr int currentVersion = 1;
+    static constexpr int currentVersion = 2;
     /** First byte of the list in a binary file. Version 0 wrote a bool, 0 or 1, at that place. */
     static constexpr unsigned char binaryMark = 2;
 

@@ -59,7 +59,7 @@ struct FormerDefault {
     const char* text;
     int lastVersion;
 };
-const FormerDefault formerDefaults[] = {{"background", "on", 0}};
+const FormerDefault formerDefaults[] = {{"background", "on", 0}, {"exposureBase", "map", 1}};
 
 void setOrWarn(Settings& settings, const std::string& name, const std::string& text)
 {

@@ -92,10 +92,23 @@ std::pair<Picture, Picture> termOf(const Arguments& a, const ReferenceResult& re
     return {picture, result.standardError(layer)};
 }
 
+bool isPng(const Arguments& a)
+{
+    return osgDB::getLowerCaseFileExtension(a.output) == "png";
+}
+
+bool isMetered(const Arguments& a, const ReferenceScene& scene)
+{
+    return isPng(a) && a.term == "beauty" && scene.adapts();
+}
+
 void write(const Arguments& a, const ReferenceResult& result, const ReferenceScene& scene)
 {
     const auto [picture, error] = termOf(a, result, scene);
-    if (osgDB::getLowerCaseFileExtension(a.output) == "png") return writeImageFile(*scene.displayed(picture), a.output);
+    if (isPng(a)) {
+        const Picture albedo = isMetered(a, scene) ? result.mean(Layer::ALBEDO) : Picture();
+        return writeImageFile(*scene.displayed(picture, isMetered(a, scene) ? &albedo : nullptr), a.output);
+    }
     Picture variance = error;
     for (float& v : variance.rgba) v *= v;
     std::ostringstream relative;
@@ -149,7 +162,9 @@ int run(Arguments& a)
     }
     const Interruption interruption;
     ProgressBar bar(a.quiet);
-    const ReferenceResult result = scene.reference().render(a.options, layersOf(a), [&](const auto& progress) {
+    std::set<Layer> layers = layersOf(a);
+    if (isMetered(a, scene)) layers.insert(Layer::ALBEDO);
+    const ReferenceResult result = scene.reference().render(a.options, layers, [&](const auto& progress) {
         bar.show(progress.fraction, std::to_string(progress.samples) + " spp, error " + percent(progress.error));
         return !Interruption::requested();
     });

@@ -158,7 +158,7 @@ void Scene::write(const std::string& folder) const
          << "\", \"rotation\": " << _environment.rotation << ", \"intensity\": " << _environment.intensity
          << " },\n    \"camera\": { \"eye\": " << json(_camera.eye) << ", \"target\": " << json(_camera.target)
          << ", \"up\": [0, 0, 1], \"fovy\": " << _camera.fovy
-         << " },\n    \"settings\": { \"exposure\": " << _environment.exposure;
+         << " },\n    \"settings\": { \"exposureBase\": \"map\", \"exposure\": " << _environment.exposure;
     for (const auto& [name, value] : _settings) file << ", \"" << name << "\": " << value;
     file << " },\n    \"materials\": {";
     const char* separator = "\n";

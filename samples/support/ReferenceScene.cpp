@@ -30,8 +30,22 @@ osg::ref_ptr<const osgEnvLight::RadianceMap> radianceOf(const osgEnvLight::LitSc
 // The exposure that a picture has before the setting's stops.
 double baseStops(const osgEnvLight::LitScene& lit)
 {
-    const bool follows = lit.getSettings()->exposureBase == osgEnvLight::Settings::EXPOSURE_MAP;
+    const bool follows = lit.getSettings()->exposureBase != osgEnvLight::Settings::EXPOSURE_NONE;
     return follows ? osgEnvLight::mapExposure(*radianceOf(lit)) : 0.0;
+}
+
+// As pass/meter.frag, from all pixels and the diffuse layer alone.
+double adaptedStops(const osgEnvLight::Picture& picture, const osgEnvLight::Picture& albedo, double base)
+{
+    glsl::vec2 sums(0.0);
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) {
+            const float* sent = picture.at(x, y);
+            const float* reflected = albedo.at(x, y);
+            sums += glsl::meteredLight(glsl::luminance(glsl::vec3(sent[0], sent[1], sent[2])),
+                                       glsl::luminance(glsl::vec3(reflected[0], reflected[1], reflected[2])));
+        }
+    return sums.x > 0.0 ? glsl::meteredStops(sums, base) : 0.0;
 }
 
 }  // namespace
@@ -104,10 +118,16 @@ void ReferenceScene::encodeNormal(float* normal) const
     for (int k = 0; k < 3; ++k) normal[k] = float(0.5 * inMap[k] + 0.5);
 }
 
-osg::ref_ptr<osg::Image> ReferenceScene::displayed(const osgEnvLight::Picture& picture) const
+bool ReferenceScene::adapts() const
+{
+    return _lit.getSettings()->exposureBase == osgEnvLight::Settings::EXPOSURE_PICTURE;
+}
+
+osg::ref_ptr<osg::Image> ReferenceScene::displayed(const osgEnvLight::Picture& picture, const osgEnvLight::Picture* albedo) const
 {
     const osgEnvLight::Settings& s = *_lit.getSettings();
-    const double stops = double(s.exposure) + baseStops(_lit);
+    const double base = baseStops(_lit);
+    const double stops = double(s.exposure) + base + (albedo && adapts() ? adaptedStops(picture, *albedo, base) : 0.0);
     osgEnvLight::Picture encoded = picture;
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x) {

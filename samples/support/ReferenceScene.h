@@ -28,8 +28,11 @@ class ReferenceScene
 
     /** A world normal as envlight-render's view of normals has it, in place. */
     void encodeNormal(float* normal) const;
-    /** Exposed, tone mapped and encoded as the settings say. */
-    osg::ref_ptr<osg::Image> displayed(const osgEnvLight::Picture& picture) const;
+    /** Exposed, tone mapped and encoded as the settings say.
+     * @param albedo  of the surfaces: the exposure may follow the light on them; null: it does not */
+    osg::ref_ptr<osg::Image> displayed(const osgEnvLight::Picture& picture, const osgEnvLight::Picture* albedo = nullptr) const;
+    /** Whether displayed() needs the albedo. */
+    bool adapts() const;
 
   private:
     void makeReference();

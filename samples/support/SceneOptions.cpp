@@ -85,8 +85,10 @@ osg::ref_ptr<osgEnvLight::LitScene> SceneOptions::load(bool linear) const
     if (rotation) environment.setRotation(*rotation);
     if (intensity) environment.setIntensity(*intensity);
     lit->getSettings()->output = linear ? osgEnvLight::Settings::LINEAR : osgEnvLight::Settings::DISPLAY;
-    // One frame is all that the others show.
-    if (!interactive) lit->getSettings()->regeneration = osgEnvLight::Settings::IMMEDIATE;
+    if (!interactive) {  // one frame is all that the others show
+        lit->getSettings()->regeneration = osgEnvLight::Settings::IMMEDIATE;
+        lit->getSettings()->adaptationTime = 0.0f;
+    }
     applySettings(*lit->getSettings());
     if (!environment.radiance(error)) throw std::runtime_error(error);
     return lit;

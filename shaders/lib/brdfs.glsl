@@ -14,6 +14,14 @@
 
 const float PAINTED_ROUGHNESS = 0.2;  // of metal whose reflection is painted on by a sphere or cube map
 
+const float UNLIT_ROUGHNESS = 0.0;    // a mark: of a Lambert surface no lobe has it
+
+// What GL_LIGHTING is off for.
+bool isUnlit(int brdf, float roughness)
+{
+    return brdf == BRDF_LAMBERT && roughness == UNLIT_ROUGHNESS;
+}
+
 // A number with 13 bits of parameters, as the 16 bits that the G-buffer keeps.
 uint packKind(int brdf, uint parameters)
 {

@@ -97,9 +97,9 @@ void main()
     vec3 d = mapFromEye * viewRay(inverseProjection, pixelNdc(p));
     float pixel = length(dFdx(d));
     if (depth >= 1.0)
-        color = vec4(view == VIEW_LIGHTS ? display(lightsView(d, pixel), p) : vec3(0.0), 0.0);
+        color = vec4(view == VIEW_LIGHTS ? display(lightsView(d, pixel), 0.0, p) : vec3(0.0), 0.0);
     else
-        color = vec4(display(termView(p, d, pixel), p), 1.0);
+        color = vec4(display(termView(p, d, pixel), 0.0, p), 1.0);
 #elif defined(ANTIALIASED)
     EdgeShift shift = edgeShift(displayMap, p);
 #ifdef ACCUMULATED
@@ -118,6 +118,6 @@ void main()
     if (depth >= 1.0) discard;
 #endif
     vec4 picture = shownPicture(p);
-    color = vec4(display(picture.rgb, p), picture.a);
+    color = vec4(display(picture.rgb, shownStops(p), p), picture.a);
 #endif
 }

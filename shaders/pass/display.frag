@@ -8,6 +8,7 @@ layout(location = 0) out vec4 shown;
 
 void main()
 {
-    vec4 picture = shownPicture(ivec2(gl_FragCoord.xy));
-    shown = vec4(displayValues(picture.rgb), picture.a);
+    ivec2 p = ivec2(gl_FragCoord.xy);
+    vec4 picture = shownPicture(p);
+    shown = vec4(displayValues(picture.rgb, shownStops(p)), picture.a);
 }

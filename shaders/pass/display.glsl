@@ -2,7 +2,7 @@
 // From scene-linear radiance to what the host draws to.
 #ifndef DISPLAY_GLSL
 #define DISPLAY_GLSL
-#pragma import_defines(OUTPUT_LINEAR)
+#pragma import_defines(OUTPUT_LINEAR, ADAPTED)
 
 #include "lib/sequence.glsl"
 #include "lib/tone.glsl"
@@ -16,11 +16,24 @@ uniform int toneCurve;
 uniform float baseStops; // what the map is shown at, by exposureBase
 uniform float exposure;  // stops
 uniform int dither;
+#ifdef ADAPTED
+uniform sampler2D adaptedStopsMap;
+#endif
+
+// What the picture is shown at beyond baseStops and exposure, but for unlit surfaces: these are shown as they are typed.
+float adaptedStops()
+{
+#ifdef ADAPTED
+    return texelFetch(adaptedStopsMap, ivec2(0), 0).r;
+#else
+    return 0.0;
+#endif
+}
 
 // What a display is sent.
-vec3 displayValues(vec3 radiance)
+vec3 displayValues(vec3 radiance, float adapted)
 {
-    vec3 c = max(radiance, vec3(0.0)) * exp2(baseStops + exposure);
+    vec3 c = max(radiance, vec3(0.0)) * exp2(baseStops + exposure + adapted);
     c = min(c, vec3(1e30)); // Inf / Inf
     if (toneCurve == TONE_REINHARD) c = toneReinhard(c);
     if (toneCurve == TONE_NEUTRAL) c = toneNeutral(c);
@@ -33,12 +46,12 @@ vec3 dithered(vec3 c, ivec2 p)
     return dither != 0 ? c + (float(bayer4(p.x, p.y)) - 7.5) / (16.0 * 255.0) : c;
 }
 
-vec3 display(vec3 radiance, ivec2 p)
+vec3 display(vec3 radiance, float adapted, ivec2 p)
 {
 #ifdef OUTPUT_LINEAR
     return radiance;
 #else
-    return dithered(displayValues(radiance), p);
+    return dithered(displayValues(radiance, adapted), p);
 #endif
 }
 

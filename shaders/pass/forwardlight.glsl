@@ -356,7 +356,7 @@ vec4 forwardColor(Surface s)
 #ifdef FOGGED
     radiance = mix(fogRadiance, radiance, fogLeaves(s.position));
 #endif
-    return vec4(display(radiance, ivec2(gl_FragCoord.xy)), alpha);
+    return vec4(display(radiance, isUnlit(s.brdf, s.roughness) ? 0.0 : adaptedStops(), ivec2(gl_FragCoord.xy)), alpha);
 }
 
 #endif

@@ -2,9 +2,12 @@
 // The radiance that is shown: of the frame, or of a still view's average.
 #ifndef SHOWN_GLSL
 #define SHOWN_GLSL
-#pragma import_defines(ACCUMULATED)
+#pragma import_defines(ACCUMULATED, HAS_UNLIT)
 
 #include "pass/display.glsl"
+#ifdef HAS_UNLIT
+#include "pass/gbuffer.glsl"
+#endif
 
 uniform sampler2D radianceMap;
 #ifdef ACCUMULATED
@@ -21,6 +24,15 @@ vec4 shownPicture(ivec2 p)
     picture = mix(picture, texelFetch(accumulatedMap, p, 0) / accumulatedWeight, accumulatedShare);
 #endif
     return picture;
+}
+
+// For display()
+float shownStops(ivec2 p)
+{
+#ifdef HAS_UNLIT
+    if (isUnlit(kindBrdf(pixelKind(p)), texelFetch(normalMap, p, 0).a)) return 0.0;
+#endif
+    return adaptedStops();
 }
 
 #endif

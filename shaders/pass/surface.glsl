@@ -276,6 +276,7 @@ Surface readSurface()
 #elif defined(UNLIT)
     s.emission = base.rgb * exp2(materialColors == 0 ? emittedStops : 0.0);
     s.albedo = vec3(0.0);
+    s.roughness = UNLIT_ROUGHNESS;
 #elif defined(PHONG_MATERIAL)
     // Legacy materials reflect more than they receive: both terms are scaled until diffuse + specular <= 1.
     s.brdf = BRDF_BLINN_PHONG;

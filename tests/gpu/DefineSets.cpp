@@ -26,6 +26,9 @@ const std::vector<Defines> alternatives = {
     {"ACCUMULATED", "VIEW_TERM"},
     {"ANTIALIASED", "VIEW_TERM"},
     {"ACCUMULATED", "TEMPORAL"},
+    {"ADAPTED", "VIEW_TERM"},
+    {"ADAPTED", "ANTIALIASED"},
+    {"ADAPTED", "OUTPUT_LINEAR"},
     {"NO_TEXTURE", "TEXTURE_REPLACE", "TEXTURE_DECAL", "TEXTURE_BLEND", "TEXTURE_ADD"},
     {"TEXGEN_OBJECT", "TEXGEN_EYE"},
     {"HAS_AREA_POINTS", "HAS_LIGHT_CUTS"},
@@ -38,7 +41,7 @@ const std::vector<std::pair<std::string, std::string>> needs = {
     {"HAS_OCCLUSION", "HAS_DIFFUSE"},        {"HAS_BOUNCE", "HAS_OCCLUSION"}, {"SUN_DIFFUSE", "HAS_SUNS"},
     {"HAS_NEIGHBOURHOOD", "HAS_ATLAS"},      {"TEMPORAL", "ANTIALIASED"},     {"HAS_LOBES", "HAS_ATLAS"},
     {"HAS_ANISOTROPY", "HAS_COOK_TORRANCE"}, {"HAS_BOUNCE", "HAS_ATLAS"},     {"HAS_PROBES", "HAS_ATLAS"},
-    {"HAS_PROBE_LATTICES", "HAS_PROBES"},
+    {"HAS_PROBE_LATTICES", "HAS_PROBES"},    {"HAS_UNLIT", "ADAPTED"},     {"HAS_SCENE_LIGHT_MAPS", "HAS_SCENE_LIGHTS"},
 };
 
 void extend(const Defines& defines, size_t next, Defines& set, std::vector<Defines>& result)

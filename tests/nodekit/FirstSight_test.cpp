@@ -79,6 +79,7 @@ TEST(FirstSight, AnAlbedoOfPointEightInFullLightStaysBelowWhiteAndIsNotDark)
         const osg::ref_ptr<osg::Geode> model = makeSphere(osg::Vec3d(), 1.0, 64);
         Material::setLambert(*model->getOrCreateStateSet(), osg::Vec3f(0.8f, 0.8f, 0.8f));
         const osg::ref_ptr<LitScene> lit = under(map, model);
+        lit->getSettings()->exposureBase = Settings::EXPOSURE_MAP;
         double most = 0.0;
         for (int side = 0; side < 6; ++side) {
             const osg::Vec3d axis(side / 2 == 0, side / 2 == 1, side / 2 == 2);

@@ -296,7 +296,7 @@ TEST_F(FrameGraphTest, EveryPassIsInThePlan)
                              "gatherfilter",    "loberays",    "loberaylight",
                              "loberayfilter",   "temporal",    "motion",
                              "lighttotals",     "nearlight",   "nearlightfilter",
-                             "guides"})
+                             "guides",          "meter",       "adaptation"})
         EXPECT_NE("", lit->plan().reason(pass)) << pass;
 }
 

@@ -31,7 +31,8 @@ osg::ref_ptr<LitScene> makeScene(osg::Image* map)
     lit->getSettings()->atlasSize = 32;
     lit->getSettings()->sunShadowSize = 64;
     lit->getSettings()->accumulateSize = 32;
-    lit->getSettings()->bounce = Settings::BOUNCE_MEAN;  // frames are counted: of probes a thread says how many
+    lit->getSettings()->exposureBase = Settings::EXPOSURE_MAP;  // a change of what is shown takes no time
+    lit->getSettings()->bounce = Settings::BOUNCE_MEAN;         // frames are counted: of probes a thread says how many
     lit->addChild(makeQuad(osg::Vec3d(-2, -2, 0), osg::Vec3d(4, 0, 0), osg::Vec3d(0, 4, 0)));
     osg::ref_ptr<osg::MatrixTransform> box = new osg::MatrixTransform;
     box->addChild(makeBox(osg::Vec3d(-0.5, -0.5, 0), osg::Vec3d(0.5, 0.5, 1)));
@@ -282,6 +283,26 @@ TEST(OnDemandEmbedded, AnUpdateCallbacksLastFrameIsFollowed)
     osg::ref_ptr<MovesOnce> callback = new MovesOnce;
     lit->getChild(1)->setUpdateCallback(callback.get());
     EXPECT_EQ(12 + 4, framesUntilQuiet(viewer));
+    EXPECT_FALSE(lit->regenerating());
+}
+
+TEST(OnDemandEmbedded, DrawsUntilTheExposureHasFollowed)
+{
+    SceneRenderer renderer(64, 48);
+    osg::ref_ptr<LitScene> lit = makeScene(lopsidedMap().get());
+    lit->getSettings()->exposureBase = Settings::EXPOSURE_PICTURE;
+    lit->getSettings()->adaptationTime = 0.1f;
+    osgViewer::Viewer& viewer = renderer.viewer();
+    viewer.setRunFrameScheme(V::ON_DEMAND);
+    viewer.setSceneData(lit.get());
+    framesUntilQuiet(viewer);
+    renderer.lookAt(osg::Vec3d(3, 3, 3), osg::Vec3d());
+    viewer.requestRedraw();
+    const double start = viewer.getFrameStamp()->getReferenceTime();
+    framesUntilQuiet(viewer);
+    const double seconds = viewer.getFrameStamp()->getReferenceTime() - start;
+    EXPECT_GE(seconds, 3.0 * 0.1);
+    EXPECT_LE(seconds, 6.0 * 0.1);  // frames that take .1 s each
     EXPECT_FALSE(lit->regenerating());
 }
 

@@ -71,6 +71,7 @@ class Version0 : public testing::TestWithParam<const char*>
     static void expectSettings(const LitScene& lit, std::map<std::string, std::string> values)
     {
         values.emplace("background", "on");
+        values.emplace("exposureBase", "map");
         const osg::ref_ptr<const Settings> defaults = new Settings;
         for (const Settings::Property& p : Settings::table()) {
             const auto given = values.find(p.name);

@@ -79,6 +79,7 @@ struct FrameContext {
     unsigned waitingMaps = 0;            // to be drawn in later frames, or not known yet
     IndirectLight* indirect = nullptr;   // by probes; null: there are none
     const Caustics* caustics = nullptr;  // what polished metal reflects of suns and lamps; null: there is nothing of that kind
+    bool adapts = false;                 // the exposure may still change, though nothing else does
     unsigned waitingBounces = 0;         // further frames would change what surfaces send each other
     EmitterMaps* emitterMaps = nullptr;  // of the area lights' points; null: nothing hides them
     osg::Texture2D* emitterPoints = nullptr;     // EmitterMaps::pointImage()
@@ -96,6 +97,7 @@ struct FrameContext {
     osg::Vec2d subpixel = {};     // shift of the picture in clip space over w
     TextureId shownPicture = {};  // averaged over frames; invalid: none is
     TextureId shownPlaces = {};   // packPlace() of pass/history.glsl
+    TextureId adaptedStops = {};  // that the exposure has beyond the map's; invalid: it does not follow the picture
 
     /** The picture may be shifted by a part of a pixel: what is drawn forward, a background of the host's and the application's
      * own G-buffer are not. */

@@ -14,6 +14,7 @@ FrameResources::FrameResources()
       _sceneRadius(new osg::Uniform("sceneRadius", 0.0f)),
       _radianceScale(new osg::Uniform("radianceScale", 0.0f)),
       _baseStops(new osg::Uniform("baseStops", 0.0f)),
+      _adaptedShare(new osg::Uniform("adaptedShare", 1.0f)),
       _emittedStops(new osg::Uniform("emittedStops", 0.0f)),
       _pyramidSide(new osg::Uniform("pyramidSide", 0.0f)),
       _pyramidLastLevel(new osg::Uniform("pyramidLastLevel", 0.0f)),
@@ -25,9 +26,10 @@ FrameResources::FrameResources()
       _accumulatedShare(new osg::Uniform("accumulatedShare", 0.0f)),
       _accumulatedFrames(new osg::Uniform("accumulatedFrames", 0.0f))
 {
-    for (osg::Uniform* u : {_sceneRadius.get(), _radianceScale.get(), _baseStops.get(), _emittedStops.get(), _pyramidSide.get(),
-                            _pyramidLastLevel.get(), _mapFromEye.get(), _sampleShift.get(), _sampleFrames.get(),
-                            _frameWeight.get(), _accumulatedWeight.get(), _accumulatedShare.get(), _accumulatedFrames.get()})
+    for (osg::Uniform* u :
+         {_sceneRadius.get(), _radianceScale.get(), _baseStops.get(), _adaptedShare.get(), _emittedStops.get(),
+          _pyramidSide.get(), _pyramidLastLevel.get(), _mapFromEye.get(), _sampleShift.get(), _sampleFrames.get(),
+          _frameWeight.get(), _accumulatedWeight.get(), _accumulatedShare.get(), _accumulatedFrames.get()})
         uniforms->addUniform(u);
 }
 

@@ -38,6 +38,8 @@ class OSGENVLIGHT_EXPORT FrameResources : public osg::Referenced
     /** The values of this frame, for every pass and the forward surfaces. */
     void setUniforms(double sceneRadius, double radianceScale, const MapTextures& textures, const osg::Matrixd& mapFromEye,
                      double baseStops);
+    /** Of the way to the exposure of what is shown. */
+    void setAdaptedShare(double share) { _adaptedShare->set(float(share)); }
     /** Where a still view stands; null: none. */
     void setUniforms(const Accumulation* still);
 
@@ -126,6 +128,7 @@ class OSGENVLIGHT_EXPORT FrameResources : public osg::Referenced
     osg::ref_ptr<osg::Uniform> _sceneRadius;
     osg::ref_ptr<osg::Uniform> _radianceScale;
     osg::ref_ptr<osg::Uniform> _baseStops;
+    osg::ref_ptr<osg::Uniform> _adaptedShare;
     osg::ref_ptr<osg::Uniform> _emittedStops;
     osg::ref_ptr<osg::Uniform> _pyramidSide;
     osg::ref_ptr<osg::Uniform> _pyramidLastLevel;

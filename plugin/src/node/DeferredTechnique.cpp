@@ -126,7 +126,7 @@ FrameContext DeferredTechnique::contextOf(LitScene& node, LitView& vd, const Set
     if (host.getInitialViewMatrix()) c.worldFromEye = osg::Matrixd::inverse(*host.getInitialViewMatrix());
     if (vd.former.viewport == vd.viewport()) c.former = &vd.former;
     c.radianceScale = textures.map().mean * map.getIntensity();
-    const bool follows = settings.output == Settings::DISPLAY && settings.exposureBase == Settings::EXPOSURE_MAP;
+    const bool follows = settings.output == Settings::DISPLAY && settings.exposureBase != Settings::EXPOSURE_NONE;
     c.baseStops = follows ? textures.exposure() : 0.0;
     c.facts.ownGBuffer = !node.getGBuffer();
     c.facts.mapIsBlack = c.radianceScale <= 0.0;
@@ -269,7 +269,7 @@ void DeferredTechnique::reloadShaders()
 bool DeferredTechnique::hasSettled(const FrameContext& c) const
 {
     const bool converges = c.still && c.still->frames() < unsigned(c.settings.accumulateFrames);
-    return !converges && c.waitingMaps == 0 && c.waitingBounces == 0 && !_regenerator.busy() && c.textures->settled();
+    return !converges && !c.adapts && c.waitingMaps == 0 && c.waitingBounces == 0 && !_regenerator.busy() && c.textures->settled();
 }
 
 void DeferredTechnique::countUpdate()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "node/LitView.h"
 
+#include "passes/Adaptation.h"
 #include "passes/AreaLights.h"
 #include "passes/Caustics.h"
 #include "passes/Gather.h"
@@ -81,6 +82,8 @@ LitView::LitView(Failure* failure, RetiredObjects* retired, SurfaceSorter* sorte
     graph.add(new LobeRayFilterPass);
     graph.add(new AccumulatePass);
     graph.add(new StillErrorPass);
+    graph.add(new MeterPass);
+    graph.add(new AdaptationPass);
     graph.add(new DisplayPass);
     graph.add(new MotionPass);
     graph.add(new TemporalPass);

@@ -15,6 +15,17 @@ Requirement requirePicture(const FrameContext& c)
     return picture.unless(c.settings.view != Settings::BEAUTY, "an intermediate is shown");
 }
 
+// What display() multiplies by; whether that is not the same in all pixels.
+bool readExposure(PassBuilder& b, const FrameContext& c)
+{
+    b.settings<OutputSettings>();
+    if (!c.adaptedStops.valid()) return false;
+    b.define("ADAPTED");
+    b.read(c.adaptedStops, "adaptedStopsMap");
+    b.define("HAS_UNLIT", c.facts.surfaces.unlit > 0);
+    return c.facts.surfaces.unlit > 0;
+}
+
 // The frame's radiance, and a still view's average.
 bool readShown(PassBuilder& b, const FrameContext& c)
 {
@@ -81,7 +92,7 @@ Requirement DisplayPass::require(const FrameContext& c) const
 void DisplayPass::setup(PassBuilder& b, FrameContext& c)
 {
     readShown(b, c);
-    b.settings<OutputSettings>();
+    if (readExposure(b, c)) b.readGBuffer();
     b.write(b.create("display", {GL_RGBA16, 0, false, false, true}));
 }
 
@@ -96,20 +107,23 @@ void CompositePass::setup(PassBuilder& b, FrameContext& c)
     const Settings& s = c.settings;
     b.writeHost();
     b.readGBuffer();
-    b.settings<OutputSettings>();
     b.define("BACKGROUND", c.background != Settings::BACKGROUND_OFF);
     const bool averaged = c.shownPicture.valid();
     const TextureId picture = averaged ? c.shownPicture : b.find("display");
     if (picture.valid()) {
+        b.settings<OutputSettings>();
         b.define("ANTIALIASED");
         b.read(picture, "displayMap");
         b.define("TEMPORAL", averaged);
         if (averaged) b.read(c.shownPlaces, "placeMap");
         b.define("ACCUMULATED", !averaged && c.hasFirstFrame());
         if (c.background == Settings::BACKGROUND_OFF) b.blendOverHost();
-    } else if (!readShown(b, c)) {
-        b.define("VIEW_TERM");
-        readTerms(b, c);
+    } else {
+        readExposure(b, c);
+        if (!readShown(b, c)) {
+            b.define("VIEW_TERM");
+            readTerms(b, c);
+        }
     }
     b.define("OUTPUT_LINEAR", s.output == Settings::LINEAR);
     if (s.view != Settings::LIGHT_LIST) return;
@@ -134,7 +148,7 @@ void ForwardPass::setup(PassBuilder& b, FrameContext& c)
     s.addUniform(new osg::Uniform("baseColorMap", 0));
     b.frameUniforms(c.frame.uniforms.get());
     b.settings<SurfaceSettings>();
-    b.settings<OutputSettings>();
+    readExposure(b, c);
     readFog(b, c);
     readIrradiance(b, c);
     if (c.settings.specular && !c.facts.mapIsBlack) {

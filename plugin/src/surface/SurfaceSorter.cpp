@@ -251,6 +251,7 @@ class SurfaceSort
     {
         sorted.kinds.lobes |= kindBits(state);
         ++sorted.kinds.deferred;
+        if (variation.bits & SurfaceSorter::UNLIT) ++sorted.kinds.unlit;
         if (variation.bits & SurfaceSorter::ENVLIGHT_LAMP) ++sorted.kinds.lamps;
         addFog(state, leaf);
         osgUtil::StateGraph* n = sg->find_or_insert(_sorter.variant(variation));

@@ -1,0 +1,33 @@
+#version 330 compatibility
+// SPDX-License-Identifier: MIT
+// Stops that the picture is shown at beyond the map's exposure, as they follow what the picture shows.
+#pragma import_defines(HISTORY)
+
+#include "lib/limits.glsl"
+#include "lib/metering.glsl"
+
+uniform sampler2D meteredMap;
+uniform float baseStops;
+#ifdef HISTORY
+uniform sampler2D formerStopsMap;
+uniform float adaptedShare;  // of the way from there
+#endif
+
+layout(location = 0) out float stops;
+
+void main()
+{
+    vec2 sums = vec2(0.0);
+    for (int y = 0; y < METER_SIDE; ++y)
+        for (int x = 0; x < METER_SIDE; ++x) sums += texelFetch(meteredMap, ivec2(x, y), 0).rg;
+    float former = 0.0;
+#ifdef HISTORY
+    former = texelFetch(formerStopsMap, ivec2(0), 0).r;
+#endif
+    stops = former;
+    if (sums.x <= 0.0) return;  // nothing that light falls on is in view
+    stops = meteredStops(sums, baseStops);
+#ifdef HISTORY
+    stops = mix(former, stops, adaptedShare);
+#endif
+}
