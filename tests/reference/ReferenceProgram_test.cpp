@@ -5,6 +5,7 @@
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
+#include <osgDB/ReadFile>
 #include <osgDB/WriteFile>
 
 #include <gtest/gtest.h>
@@ -225,6 +226,30 @@ TEST_F(ReferenceProgram, EveryTerm)
     const Outcome o = run(small({"--spp", "4", "-o", folder.file("out.png")}));
     EXPECT_EQ(0, o.status) << o.err;
     EXPECT_EQ(0u, readFile(folder.file("out.png")).find("\x89PNG"));
+}
+
+TEST_F(ReferenceProgram, ShowsADarkSceneAsBrightAsTheNodeDoes)
+{
+    const auto meanLevel = [&](const std::string& by, const std::string& base) {
+        const std::string png = folder.file("dark.png");
+        std::vector<std::string> a = small({"--env-intensity", "0.01", "--set", "exposureBase=" + base, "-o", png});
+        if (by == program) a.insert(a.end(), {"--spp", "64"});
+        if (by != program) a.erase(std::find(a.begin(), a.end(), "--quiet"));
+        a.insert(a.begin(), by);
+        const Outcome o = runProgram(a);
+        EXPECT_EQ(0, o.status) << o.err;
+        const osg::ref_ptr<osg::Image> image = osgDB::readRefImageFile(png);
+        if (!image) return 0.0;
+        double sum = 0.0;
+        for (int y = 0; y < image->t(); ++y)
+            for (int x = 0; x < image->s(); ++x) sum += double(image->getColor(unsigned(x), unsigned(y)).g());
+        return 255.0 * sum / (image->s() * image->t());
+    };
+    const std::string ours = std::string(ENVLIGHT_BINARY_DIR) + "/bin/envlight-render";
+    const double level = meanLevel(program, "picture");
+    EXPECT_GT(level, 40.0);
+    EXPECT_NEAR(level, meanLevel(ours, "picture"), 4.0);  // one frame beside full light transport
+    EXPECT_LT(meanLevel(program, "map"), 20.0);
 }
 
 TEST_F(ReferenceProgram, PixelAndLights)

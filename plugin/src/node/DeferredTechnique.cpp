@@ -269,7 +269,8 @@ void DeferredTechnique::reloadShaders()
 bool DeferredTechnique::hasSettled(const FrameContext& c) const
 {
     const bool converges = c.still && c.still->frames() < unsigned(c.settings.accumulateFrames);
-    return !converges && !c.adapts && c.waitingMaps == 0 && c.waitingBounces == 0 && !_regenerator.busy() && c.textures->settled();
+    const bool waits = c.waitingMaps > 0 || c.waitingBounces > 0 || c.adapts;
+    return !converges && !waits && !_regenerator.busy() && c.textures->settled();
 }
 
 void DeferredTechnique::countUpdate()
