@@ -90,9 +90,7 @@ vec3 fromVirtualLights(ivec2 p, vec3 place, vec3 n)
 // Each part traces its own point of a sun's disc.
 void receiveSuns(vec3 place, vec3 n, int part, inout ReceivedLight sum)
 {
-    // Off its surface, which these maps show more finely.
-    vec3 lift = 0.5 * atlasTexelAt(place + placesInAtlas) * n;
-    SunPixel s = SunPixel(place + pointsInSunMaps + lift, n, 0.0, -n, 0.0, 1.0, part);
+    SunPixel s = SunPixel(place + pointsInSunMaps, n, 0.0, -n, 0.0, 1.0, part);
     for (int i = 0; i < sunCount; ++i) {
         vec3 l = sunAxes[3 * i + 2];
         float e = discIrradianceOverPi(dot(n, l), sunRadius[i]);

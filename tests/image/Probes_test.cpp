@@ -7,6 +7,7 @@
 
 #include "ClosedRoom.h"
 #include "SuiteScenes.h"
+#include "SunScenes.h"
 #include "TracedView.h"
 
 namespace Probes_test
@@ -158,6 +159,26 @@ TEST(Probes, LittleLightComesThroughWalls)
             EXPECT_LT(dark, 0.0005 * bright);  // measured: 6e-5
         EXPECT_LT(dark, 0.2 * bright);
     }
+}
+
+// A board close above a floor, in the sun: the floor below it gets none, however coarse the maps of the sky are.
+TEST(Probes, TheSunDoesNotLightBelowALowBoard)
+{
+    SceneRenderer renderer(32, 32);
+    renderer.viewer().getCamera()->setProjectionMatrixAsPerspective(80.0, 1.0, 0.02, 100.0);
+    renderer.viewer().getCamera()->setViewMatrixAsLookAt(osg::Vec3d(0, 0, 0.1), osg::Vec3d(0, 0, 1), osg::Vec3d(0, 1, 0));
+    const osg::ref_ptr<LitScene> lit = makeProbed();
+    lit->getEnvironmentMap()->setImage(sunscenes::sunMap(osg::Vec3d(0.2, 0.1, 1.0), 1.5, 0.001));
+    Settings& s = *lit->getSettings();
+    s.suns = Settings::SUNS_AUTO;
+    s.view = Settings::BOUNCED;
+    s.atlasSize = 32;
+    lit->addChild(makeBox(osg::Vec3d(-10, -10, -1), osg::Vec3d(10, 10, 0)));
+    lit->addChild(makeBox(osg::Vec3d(-3, -3, 0.25), osg::Vec3d(3, 3, 0.3)));
+    setAlbedo(*lit, 0.8f);
+    const double mean = figuresOf(renderer.render(lit, 4)).mean;
+    EXPECT_GT(mean, 0.0);
+    EXPECT_LT(mean, 0.07 * sunscenes::sunOf(*lit).flux[1] / M_PI);  // measured: .048; by full light transport .014
 }
 
 // The taller box of the Cornell box stands askew. Probes inside it are moved out, some to its dark side. Places near an edge of
