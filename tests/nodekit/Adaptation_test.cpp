@@ -80,6 +80,15 @@ TEST_F(Adaptation, WhiteIsBroughtBackToWhereItMayBeShown)
     EXPECT_NEAR(0.5 * 0.063, shown(), step);
 }
 
+TEST_F(Adaptation, ChangesNothingInTheOpen)
+{
+    lit->addChild(card(-1, 1.0f));
+    lit->addChild(card(1, 0.25f));
+    const Picture followed = renderer.render(lit);
+    lit->getSettings()->exposureBase = Settings::EXPOSURE_MAP;
+    EXPECT_EQ(0.0, largestDifference(followed, renderer.render(lit)));
+}
+
 TEST_F(Adaptation, WhatReflectsLittleIsNotTakenForShade)
 {
     lit->addChild(card(-1, 0.08f));
