@@ -106,8 +106,9 @@ void write(const Arguments& a, const ReferenceResult& result, const ReferenceSce
 {
     const auto [picture, error] = termOf(a, result, scene);
     if (isPng(a)) {
-        const Picture albedo = isMetered(a, scene) ? result.mean(Layer::ALBEDO) : Picture();
-        return writeImageFile(*scene.displayed(picture, isMetered(a, scene) ? &albedo : nullptr), a.output);
+        const bool metered = isMetered(a, scene);
+        const Picture albedo = metered ? result.mean(Layer::ALBEDO) : Picture();
+        return writeImageFile(*scene.displayed(picture, metered ? &albedo : nullptr), a.output);
     }
     Picture variance = error;
     for (float& v : variance.rgba) v *= v;

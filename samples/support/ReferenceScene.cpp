@@ -127,7 +127,7 @@ osg::ref_ptr<osg::Image> ReferenceScene::displayed(const osgEnvLight::Picture& p
 {
     const osgEnvLight::Settings& s = *_lit.getSettings();
     const double base = baseStops(_lit);
-    const double stops = double(s.exposure) + base + (albedo && adapts() ? adaptedStops(picture, *albedo, base) : 0.0);
+    const double stops = double(s.exposure) + base + (albedo ? adaptedStops(picture, *albedo, base) : 0.0);
     osgEnvLight::Picture encoded = picture;
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x) {

@@ -29,9 +29,9 @@ class ReferenceScene
     /** A world normal as envlight-render's view of normals has it, in place. */
     void encodeNormal(float* normal) const;
     /** Exposed, tone mapped and encoded as the settings say.
-     * @param albedo  of the surfaces: the exposure may follow the light on them; null: it does not */
+     * @param albedo  of the surfaces, if the exposure follows the light on them; null: it follows the map alone */
     osg::ref_ptr<osg::Image> displayed(const osgEnvLight::Picture& picture, const osgEnvLight::Picture* albedo = nullptr) const;
-    /** Whether displayed() needs the albedo. */
+    /** Whether the settings let the exposure follow the picture. */
     bool adapts() const;
 
   private:

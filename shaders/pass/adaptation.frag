@@ -1,6 +1,6 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// Stops that the picture is shown at beyond the map's exposure, as they follow what the picture shows.
+// Second step: the stops that are added to the map's exposure. They follow the light on what the picture shows, in time.
 #pragma import_defines(HISTORY)
 
 #include "lib/limits.glsl"

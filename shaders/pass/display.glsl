@@ -20,7 +20,7 @@ uniform int dither;
 uniform sampler2D adaptedStopsMap;
 #endif
 
-// What the picture is shown at beyond baseStops and exposure, but for unlit surfaces: these are shown as they are typed.
+// Stops that are added to baseStops and exposure. Unlit surfaces get none: they are shown as they were typed.
 float adaptedStops()
 {
 #ifdef ADAPTED

@@ -1,6 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// The light that surfaces receive which are spread evenly over the picture: sums of meteredLight(), by parts of it.
+// First step to the exposure: how much light the surfaces in view receive. Pixels are spread evenly over the picture; each texel is the sum
+// of meteredLight() over those of its part.
 
 #include "lib/limits.glsl"
 #include "lib/metering.glsl"

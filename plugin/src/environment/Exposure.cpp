@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "glsl.h"
+
 namespace osgEnvLight
 {
 
@@ -13,7 +15,6 @@ namespace
 const int columns = 64;
 const int rows = 32;
 const int orientations = 512;
-const double shownAt = 0.63;
 
 struct Cell {
     osg::Vec3d direction;
@@ -79,7 +80,7 @@ double mapExposure(const RadianceMap& map)
 {
     const Radiosity radiosity = Radiosity::of(map);
     const double middle = std::sqrt(radiosity.mean) * std::sqrt(radiosity.greatest);
-    return middle > 0.0 ? std::log2(shownAt / middle) : 0.0;
+    return middle > 0.0 ? std::log2(glsl::METERED_WHITE / middle) : 0.0;
 }
 
 }  // namespace osgEnvLight

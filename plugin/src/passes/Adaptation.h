@@ -18,10 +18,11 @@ class OSGENVLIGHT_EXPORT MeterPass : public RenderPass
     void setup(PassBuilder& builder, FrameContext& context) override;
 };
 
-/** Seconds between two frames: of simulation; of the clock where that stands still; 1/60 where that does, too. */
+/** Seconds between two frames. It takes the simulation time; the reference time if that stands still; 1/60 if both do. */
 OSGENVLIGHT_EXPORT double secondsBetween(const osg::FrameStamp* former, const osg::FrameStamp* now);
 
-/** Stops by which the exposure follows that light, in time. Nobody reads them back: the next frame goes on from them. */
+/** The stops that are added to the map's exposure. They follow that light in time and stay on the GPU, where the next frame goes
+ * on from them. */
 class OSGENVLIGHT_EXPORT AdaptationPass : public RenderPass
 {
   public:

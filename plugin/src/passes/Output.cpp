@@ -15,7 +15,7 @@ Requirement requirePicture(const FrameContext& c)
     return picture.unless(c.settings.view != Settings::BEAUTY, "an intermediate is shown");
 }
 
-// What display() multiplies by; whether that is not the same in all pixels.
+// What display() multiplies by. Returns whether unlit pixels have another exposure than the rest.
 bool readExposure(PassBuilder& b, const FrameContext& c)
 {
     b.settings<OutputSettings>();
