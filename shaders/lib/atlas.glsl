@@ -150,6 +150,7 @@ float atlasVisible(sampler2D atlasMap, ivec2 corner, int size, vec2 xy, float he
     if (min(xy.x, xy.y) < 0.0 || max(xy.x, xy.y) >= float(size)) return 1.0;
     ivec2 p = ivec2(xy);
     vec4 texel = texelFetch(atlasMap, corner + p, 0);
+    if (height < 0.0) return texel.x > 0.0 ? 0.0 : 1.0;  // below all that the map shows; 0 is where it shows nothing
     vec2 toCentre = vec2(p) + 0.5 - xy;
     TexelSurface here = texelSurface(texel, toCentre, height, plane, size);
     if (texel.x > height + clamp(here.own - height, 0.0, riseToCorner(here.slope)) + ATLAS_STEP) return 0.0;

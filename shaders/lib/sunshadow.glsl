@@ -11,6 +11,9 @@
 // Surfaces that rise by no more than this from a texel to the next are one.
 #define SUN_STEEP 6.0
 
+// Height where a map shows nothing. A receiver may lie far below what the map shows.
+#define SUN_NOTHING (-1e4)
+
 // One of a sun's maps, in a texture of several. A texel holds the height of the first surface from the sun and the one
 // half-way to the second, both from 0 to 1.
 struct SunMap {
@@ -74,7 +77,7 @@ vec4 sunSurface(sampler2D sunMaps, SunMap m, vec2 xy)
         cell = floor(xy * m.toWhole + m.wholeOffset);
         corner = m.wholeCorner;
         centre = (cell + 0.5 - m.wholeOffset) / m.toWhole;
-        if (!sunWithin(m, cell)) return vec4(-1.0, -1.0, centre);
+        if (!sunWithin(m, cell)) return vec4(vec2(SUN_NOTHING * m.heights), centre);
     }
     vec4 heights = texelFetch(sunMaps, corner + ivec2(cell), 0) * m.heights;
     return vec4(heights.x, heights.y, centre);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // From the two surfaces of a sun's shadow map: heights of the first, and of the middle.
 #include "lib/atlas.glsl"
+#include "lib/sunshadow.glsl"
 
 uniform sampler2D firstDepthMap;
 uniform sampler2D firstSlopeMap;
@@ -17,5 +18,5 @@ void main()
     float first = texelFetch(firstDepthMap, p, 0).r;
     vec4 slope = texelFetch(firstSlopeMap, p, 0);
     float middle = midpointHeight(first, texelFetch(secondDepthMap, p, 0).r, slope.r, slope.g, mapTexel);
-    heights = vec4(1.0 - first, middle, 0.0, 0.0);
+    heights = first < 1.0 ? vec4(1.0 - first, middle, 0.0, 0.0) : vec4(SUN_NOTHING);
 }

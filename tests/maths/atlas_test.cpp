@@ -100,6 +100,21 @@ TEST(atlas, VisibleAtOrAboveTheMapsHeightAndOutsideIt)
     EXPECT_EQ(1.0, sees(-0.5, 1.5, 0.0));
 }
 
+TEST(atlas, BelowAllThatAMapShowsWhatItShowsShades)
+{
+    const float heights[] = {0.5f, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+    const glsl::sampler2D map{heights, 2, 2};
+    for (const double height : {-1e-3, -1.0, -1e4})
+        for (const double slope : {0.0, 0.5, -20.0}) {
+            const auto sees = [&](double x, double y) {
+                return glsl::atlasVisible(map, glsl::ivec2(0, 0), 2, glsl::vec2(x, y), height, glsl::vec2(slope, 0.0));
+            };
+            EXPECT_EQ(0.0, sees(0.9, 0.9)) << height << ", " << slope;
+            EXPECT_EQ(1.0, sees(1.1, 0.9)) << height << ", " << slope;
+            EXPECT_EQ(1.0, sees(0.9, 1.1)) << height << ", " << slope;
+        }
+}
+
 // Two texels of a map. Heights fall to the right by this much a texel.
 struct AtlasPair {
     static const int size = 16;

@@ -29,10 +29,10 @@ class Heights
     // Height at which a ray from xy over a floor at 8 that moves by slope for each unit of height is blocked. point: that looks,
     // not far off.
     double blocker(glsl::vec2 xy, glsl::vec2 slope) const { return blocker(xy, slope, xy); }
-    double blocker(glsl::vec2 xy, glsl::vec2 slope, glsl::vec2 point) const
+    double blocker(glsl::vec2 xy, glsl::vec2 slope, glsl::vec2 point, double height = 8.0) const
     {
         glsl::SunMap m{glsl::ivec2(0), side, double(side), 1.0, glsl::ivec2(0), glsl::vec2(1.0), glsl::vec2(0.0)};
-        glsl::SunReceiver r{glsl::vec3(point, 8.0), glsl::vec2(0.0), 0.05, 3.0};
+        glsl::SunReceiver r{glsl::vec3(point, height), glsl::vec2(0.0), 0.05, 3.0};
         return glsl::sunBlocker(glsl::sampler2D{_texels.data(), side, side}, m, r, xy, slope);
     }
 
@@ -53,6 +53,20 @@ TEST(sunshadow, ATexelWithoutTheReceiversSurfaceSaysNothing)
     const Heights table([](int x, int) { return x < 10 ? floorHeight : 0.0; });
     for (const double across : {9.2, 9.8, 10.0, 10.3})
         EXPECT_LT(table.blocker({across, 16.3}, {0.0, 0.0}, {9.9, 16.4}), 0.0) << across;
+}
+
+// A ground far below the scene, whose map shows it nowhere: the scene alone hides the sun, a ray that leaves the map is free.
+TEST(sunshadow, BelowAllThatAMapShowsWhatItShowsHides)
+{
+    const Heights table([](int x, int y) { return x < 10 && y < 32 ? 20.0 : SUN_NOTHING * side; });
+    for (const double height : {-1.0, -100.0, -1e4}) {
+        EXPECT_NEAR(20.0 - height, table.blocker({5.5, 16.5}, {0.0, 0.0}, {5.5, 16.5}, height), 1e-9) << height;
+        EXPECT_LT(table.blocker({20.5, 16.5}, {0.0, 0.0}, {20.5, 16.5}, height), 0.0) << height;
+        EXPECT_LT(table.blocker({-50.5, 16.5}, {0.0, 0.0}, {-50.5, 16.5}, height), 0.0) << height;
+        // Towards the table's middle, from beside the map
+        const double rise = 20.0 - height;
+        EXPECT_NEAR(rise, table.blocker({-20.5, 16.5}, {26.0 / rise, 0.0}, {-20.5, 16.5}, height), 5e-2 * rise) << height;
+    }
 }
 
 // A sheet hides a floor and crosses it at x = 10. The texel there shows the sheet, which is as high as the floor.
