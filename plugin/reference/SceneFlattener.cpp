@@ -201,6 +201,10 @@ class Flattener
             return;
         }
         const SceneState& state = effective(leaf._parent);
+        if (state.shadowCatcher()) {
+            ++_leftOut["shadow catchers"];
+            return;
+        }
         std::set<std::string> leftOut;
         TriangleMesh mesh;
         mesh.emitter = emitterOf(leaf);

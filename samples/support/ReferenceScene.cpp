@@ -76,6 +76,8 @@ ReferenceScene::ReferenceScene(osgEnvLight::LitScene& lit, const SceneOptions& o
     reading.sceneLights = settings.sceneLights != osgEnvLight::Settings::SCENE_LIGHTS_OFF;
     if (settings.emissiveMeshes) reading.leastLamp = radianceOf(lit)->mean * lit.getEnvironmentMap()->getIntensity();
     _triangles = osgEnvLight::flattenScene(lit, camera, frame, reading);
+    if (settings.ground != osgEnvLight::Settings::GROUND_OFF)
+        _triangles.leftOut.push_back("the setting ground: nothing is below the scene but the map");
     _rays = std::make_unique<osgEnvLight::RayScene>(_triangles);
     _camera = std::make_unique<osgEnvLight::RayCamera>(camera, lit.getBound());
     const osgEnvLight::EnvironmentMap& map = *lit.getEnvironmentMap();

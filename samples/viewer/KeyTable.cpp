@@ -57,6 +57,7 @@ std::vector<KeyBinding> makeTable()
         row(Symbol::KEY_Escape, "Esc", "quit", Action::QUIT),
         row('a', "a", "let a still view converge", Action::CONVERGE),
         row('b', "b", "next background", Action::BACKGROUND),
+        row('g', "g", "ground that shows the shadows", Action::GROUND),
         row('+', "+", "brighter by half a stop", Action::EXPOSURE, 0.5),
         row('-', "-", "darker by half a stop", Action::EXPOSURE, -0.5),
         row('[', "[", "turn the map clockwise", Action::TURN_MAP, -15.0),

@@ -19,6 +19,7 @@ enum class Action {
     PRESET,  // of the row's value: index into Settings::presets()
     CONVERGE,
     BACKGROUND,
+    GROUND,
     EXPOSURE,  // by so many stops
     TURN_MAP,  // by so many degrees
     UNDO,

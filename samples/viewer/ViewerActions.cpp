@@ -81,6 +81,9 @@ void EnvlightViewer::changeSetting(Action action, double value)
         case Action::BACKGROUND:
             next("background");
             break;
+        case Action::GROUND:
+            next("ground");
+            break;
         case Action::EXPOSURE:
             if (s.set("exposure", double(s.exposure) + value, error))
                 say("exposure: " + Settings::find("exposure")->getString(s));

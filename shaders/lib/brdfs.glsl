@@ -22,6 +22,15 @@ bool isUnlit(int brdf, float roughness)
     return brdf == BRDF_LAMBERT && roughness == UNLIT_ROUGHNESS;
 }
 
+const float CATCHER_ROUGHNESS = 0.5;  // another
+const float CATCHER_ALBEDO = 0.5;     // for the light that it sends to others
+
+// A shadow catcher shows what is behind it, as bright as the light on it is beside what the map alone would send there.
+bool isCatcher(int brdf, float roughness)
+{
+    return brdf == BRDF_LAMBERT && abs(roughness - CATCHER_ROUGHNESS) < 0.1;
+}
+
 // A number with 13 bits of parameters, as the 16 bits that the G-buffer keeps.
 uint packKind(int brdf, uint parameters)
 {

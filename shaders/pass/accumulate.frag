@@ -83,8 +83,7 @@ vec3 surface(ivec2 p)
 void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
-    vec4 radiance = isBackground(p) ? pictureRadiance(p, mapFromEye * viewRay(inverseProjection, pixelNdc(p)))
-                                    : vec4(throughFog(emissionMap, p, surface(p)), 1.0);
+    vec4 radiance = isBackground(p) ? backgroundPicture(p) : surfacePicture(p, throughFog(emissionMap, p, surface(p)));
     float light = luminance(radiance.rgb);
     sum = frameWeight * radiance;
     square = frameWeight * light * light;

@@ -8,5 +8,5 @@ layout(location = 0) out vec4 radiance;
 
 void main()
 {
-    radiance = vec4(background(mapFromEye * viewRay(inverseProjection, pixelNdc(ivec2(gl_FragCoord.xy)))), 0.0);
+    radiance = backgroundPicture(ivec2(gl_FragCoord.xy));
 }

@@ -3,6 +3,8 @@
 // First step to the exposure: how much light the surfaces in view receive. Pixels are spread evenly over the picture; each texel is the sum
 // of meteredLight() over those of its part.
 
+#pragma import_defines(HAS_CATCHERS)
+
 #include "lib/limits.glsl"
 #include "lib/metering.glsl"
 #include "lib/tone.glsl"
@@ -21,6 +23,15 @@ float reflectance(ivec2 p)
     return luminance(coated ? diffuse : diffuse + texelFetch(specularMap, p, 0).rgb);
 }
 
+// What of the picture is no surface that light is metered on.
+bool isLeftOut(ivec2 p)
+{
+#ifdef HAS_CATCHERS
+    if (isCatcher(kindBrdf(pixelKind(p)), texelFetch(normalMap, p, 0).a)) return true;
+#endif
+    return isBackground(p) || isAreaLight(emissionMap, p);
+}
+
 void main()
 {
     metered = vec2(0.0);
@@ -29,7 +40,7 @@ void main()
     for (int y = 0; y < METER_POINTS; ++y)
         for (int x = 0; x < METER_POINTS; ++x) {
             ivec2 p = (2 * (first + ivec2(x, y)) + 1) * size / (2 * METER_SIDE * METER_POINTS);
-            if (isBackground(p) || isAreaLight(emissionMap, p)) continue;
+            if (isLeftOut(p)) continue;
             metered += meteredLight(luminance(texelFetch(radianceMap, p, 0).rgb), reflectance(p));
         }
 }

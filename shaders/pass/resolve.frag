@@ -1,6 +1,6 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// The one place where the terms meet: the radiance of the surfaces. Alpha: 1 where there is one.
+// The one place where the terms meet: the radiance of the surfaces. Alpha: coverage.
 
 #include "pass/picture.glsl"
 #include "pass/pixelfog.glsl"
@@ -10,5 +10,5 @@ layout(location = 0) out vec4 radiance;
 void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
-    radiance = isBackground(p) ? vec4(0.0) : vec4(throughFog(emissionMap, p, surfaceRadiance(p)), 1.0);
+    radiance = isBackground(p) ? vec4(0.0) : surfacePicture(p, throughFog(emissionMap, p, termSum(p)));
 }

@@ -32,7 +32,7 @@ const std::vector<Defines> alternatives = {
     {"NO_TEXTURE", "TEXTURE_REPLACE", "TEXTURE_DECAL", "TEXTURE_BLEND", "TEXTURE_ADD"},
     {"TEXGEN_OBJECT", "TEXGEN_EYE"},
     {"HAS_AREA_POINTS", "HAS_LIGHT_CUTS"},
-    {"ENVLIGHT_LAMBERT", "ENVLIGHT_PHONG", "ENVLIGHT_COOK_TORRANCE", "ENVLIGHT_STRAUSS"},
+    {"ENVLIGHT_LAMBERT", "ENVLIGHT_PHONG", "ENVLIGHT_COOK_TORRANCE", "ENVLIGHT_STRAUSS", "ENVLIGHT_CATCHER"},
 };
 
 // The first only with the second, in programs that import both.
@@ -91,7 +91,8 @@ std::vector<Defines> surfaceSets(const Defines& surface)
                            "ENVLIGHT_LAMBERT",
                            "ENVLIGHT_PHONG",
                            "ENVLIGHT_COOK_TORRANCE",
-                           "ENVLIGHT_STRAUSS"};
+                           "ENVLIGHT_STRAUSS",
+                           "ENVLIGHT_CATCHER"};
     const Defines modes = {"", "NO_TEXTURE", "TEXTURE_REPLACE", "TEXTURE_DECAL", "TEXTURE_BLEND", "TEXTURE_ADD"};
     Defines others;
     for (const std::string& d : surface)

@@ -369,6 +369,18 @@ TEST_F(SameScene, PagedFilesAreLoaded)
     EXPECT_EQ(2u, paged->getNumChildren());
 }
 
+TEST_F(SameScene, ShadowCatchersAreLeftOutAndNamed)
+{
+    const osg::ref_ptr<LitScene> lit = makeLit(constantMap(1.0));
+    lit->addChild(makeSphere(osg::Vec3d(), 0.5, 16));
+    lit->addChild(card());
+    Material::setShadowCatcher(*lit->getChild(1)->getOrCreateStateSet());
+    const osgEnvLight::TriangleScene triangles =
+        osgEnvLight::flattenScene(*lit, *renderer.viewer().getCamera(), new osg::FrameStamp);
+    EXPECT_EQ(1u, triangles.meshes.size());
+    EXPECT_EQ(std::vector<std::string>{"shadow catchers (1 drawable)"}, triangles.leftOut);
+}
+
 TEST_F(SameScene, Projections)
 {
     const osg::ref_ptr<osg::Group> scene = together({card(), makeSphere(osg::Vec3d(0.3, -0.8, 0.1), 0.5, 48)});

@@ -184,6 +184,10 @@ TEST_F(Viewer, SettingsAreChangedUndoneAndRedone)
     EXPECT_TRUE(shows("background=off"));
     viewer->key(keyOf(Action::CONVERGE));
     EXPECT_TRUE(shows("accumulate=on"));
+    viewer->key(keyOf(Action::GROUND));
+    EXPECT_TRUE(shows("ground=shadows"));
+    viewer->key("ctrl+z");
+    EXPECT_FALSE(shows("ground=shadows"));
     viewer->key("ctrl+z");
     EXPECT_FALSE(shows("accumulate=on"));
     viewer->key("ctrl+z");

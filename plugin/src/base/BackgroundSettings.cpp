@@ -13,6 +13,8 @@ std::vector<SettingsProperty> BackgroundSettings::properties()
                "the map behind the scene; auto: unless a sky or backdrop of the application's, below the node or drawn before it "
                "in a negative bin, is there, or the scene has fog of the colour to which the host clears"),
         uniform(real("backgroundBlur", &S::backgroundBlur, 0, 90, "degrees", "width of the blur of background = blur")),
+        choice("ground", &S::ground, {"off", "shadows"},
+               "a level ground below the scene that shows the map behind it, and the shadows on it; it is as low as the scene has been"),
     };
 }
 

@@ -6,6 +6,7 @@
 #include "frame/FrameGraph.h"
 #include "frame/FrameResources.h"
 #include "surface/CasterCollector.h"
+#include "surface/Ground.h"
 #include "surface/MeshLights.h"
 
 #include <osgEnvLight/GBuffer>
@@ -63,6 +64,7 @@ class OSGENVLIGHT_EXPORT ViewData : public osg::Referenced
     CasterList casters;  // of the last cull
     CasterCollector::StateSets casterStates;
     CasterMotion casterMotion;
+    Ground ground;
     std::vector<Emitter> areaLights;  // AreaLights of the last cull, in the world
     MeshLights meshLights;
     SceneLightList lateLights;  // of LightSources behind the node in the graph

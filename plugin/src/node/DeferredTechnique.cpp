@@ -72,8 +72,12 @@ try {
 
     std::vector<ForwardGraph> forward;
     if (c.facts.ownGBuffer) {
-        c.facts.surfaces = vd.gbufferPass->cull(
-            c, [&] { node.osg::Group::traverse(cv); }, forward);
+        placeGround(c, vd, node, *_facts);
+        const auto traverse = [&] {
+            node.osg::Group::traverse(cv);
+            vd.ground.cull(cv, c.worldFromEye);
+        };
+        c.facts.surfaces = vd.gbufferPass->cull(c, traverse, forward);
     } else {
         node.osg::Group::traverse(cv);
         c.facts.surfaces = SurfaceKinds();

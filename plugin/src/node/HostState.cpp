@@ -148,6 +148,14 @@ void addMeshLights(FrameContext& c, ViewData& data, const std::function<void(con
     c.facts.areaLights = c.areaLights.size();
 }
 
+void collectCasters(const FrameContext& c, ViewData& data, osg::Group& node, SurfaceFacts& facts)
+{
+    CasterCollector collector(c.cv, c.worldFromEye, data.casterStates, &facts);
+    collector.findLamps(c.lampRule());
+    if (c.settings.bounce == Settings::BOUNCE_PROBES) collector.findSentLight(c.settings.materialColors == Settings::COLORS_SRGB);
+    collector.collect(node, data.casters);
+}
+
 }  // namespace
 
 bool needsCarrier(const FrameContext& c)
@@ -155,15 +163,18 @@ bool needsCarrier(const FrameContext& c)
     return c.settings.diffuse && (!c.facts.mapIsBlack || sendsOn(c)) && showsSomething(c);
 }
 
+void placeGround(FrameContext& c, ViewData& data, osg::Group& node, SurfaceFacts& facts)
+{
+    if (c.settings.ground == Settings::GROUND_OFF || !c.facts.ownGBuffer) return data.ground.clear();
+    collectCasters(c, data, node, facts);
+    data.ground.update(data.casters);
+}
+
 void findCasters(FrameContext& c, ViewData& data, osg::Group& node, SurfaceFacts& facts, bool sunny,
                  const std::function<void(const std::string&)>& report)
 {
     if (asksForCasters(c, sunny) || mayHaveLamps(c, data)) {
-        CasterCollector collector(c.cv, c.worldFromEye, data.casterStates, &facts);
-        collector.findLamps(c.lampRule());
-        if (c.settings.bounce == Settings::BOUNCE_PROBES)
-            collector.findSentLight(c.settings.materialColors == Settings::COLORS_SRGB);
-        collector.collect(node, data.casters);
+        if (!data.ground.geometry()) collectCasters(c, data, node, facts);  // else placeGround() has done so
         addMeshLights(c, data, report);
     } else {
         data.meshLights.clear();

@@ -24,6 +24,9 @@ void findLights(FrameContext& context, ViewData& view, const std::vector<Forward
  * @param report  receives which can not light, and why */
 void findAreaLights(FrameContext& context, ViewData& view, const std::function<void(const std::string&)>& report);
 
+/** Put the ground of Settings::ground below the scene, before that is culled. */
+void placeGround(FrameContext& context, ViewData& view, osg::Group& node, SurfaceFacts& facts);
+
 /** Find what casts shadows below the node, where a pass asks for it, and of that the lamps, which join the area lights.
  * @param sunny   whether there may be shadow maps of suns
  * @param report  receives how many lamps are left out */

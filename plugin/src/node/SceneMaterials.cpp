@@ -24,6 +24,9 @@ osg::Vec3f color(const Value& v)
     return osg::Vec3f(v.vector(0, 1, "three linear colour values in 0..1"));
 }
 
+// In place of a BRDF's name.
+const char* const catcherName = "shadow-catcher";
+
 // The BRDF of a material that has no more keys than those of its BRDF.
 int readBrdf(const Value& v)
 {
@@ -41,9 +44,15 @@ int readBrdf(const Value& v)
                                  "anisotropyRotation", "eta", "kappa", "diffuseRoughness", "metalRoughMap"}},
                                {"strauss", Material::STRAUSS, {"baseColor", "metalness", "smoothness"}}};
     const std::string name = v.get().is_object() && v.has("brdf") ? v["brdf"].string() : std::string();
+    if (name == catcherName) {
+        v.object({"brdf"}, "a shadow catcher");
+        return Material::LAMBERT;
+    }
     const auto found = std::find_if(std::begin(all), std::end(all), [&](const Brdf& b) { return name == b.name; });
     if (found == std::end(all))
-        v.fail("an object whose brdf is \"lambert\", \"phong\", \"blinn-phong\", \"cook-torrance\" or \"strauss\"");
+        v.fail(
+            "an object whose brdf is \"lambert\", \"phong\", \"blinn-phong\", \"cook-torrance\", \"strauss\" or "
+            "\"shadow-catcher\"");
     std::vector<std::string> keys = {"brdf", "emission", "light", "normalMap", "emissionMap", "topIsZero"};
     keys.insert(keys.end(), found->keys.begin(), found->keys.end());
     v.object(keys, "a material");
@@ -164,6 +173,7 @@ class MaterialVisitor : public osg::NodeVisitor
         if (m.brdf == Material::COOK_TORRANCE || m.brdf == Material::BECKMANN) setMicrofacets(s, m);
         if (m.brdf == Material::STRAUSS) Material::setStrauss(s, m.baseColor, m.smoothness, m.metalness);
         // What the model's own material had goes.
+        if (m.shadowCatcher || s.getUniform(MaterialMaps::shadowCatcher)) Material::setShadowCatcher(s, m.shadowCatcher);
         if (m.diffuseRoughness > 0.0f || s.getUniform(MaterialMaps::diffuseRoughness))
             Material::setDiffuseRoughness(s, m.diffuseRoughness);
         if (m.ior != 1.5f || s.getUniform(MaterialMaps::dielectric)) Material::setDielectric(s, m.ior);
@@ -196,6 +206,7 @@ MaterialDescription readMaterial(const Value& v, const std::string& name)
     MaterialDescription m;
     m.name = name;
     m.brdf = readBrdf(v);
+    m.shadowCatcher = v["brdf"].string() == catcherName;
     if (v.has("normals")) {
         const std::string normals = v["normals"].string();
         if (normals != "ggx" && normals != "beckmann") v["normals"].fail("\"ggx\" or \"beckmann\"");

@@ -45,9 +45,10 @@ Requirement MeterPass::require(const FrameContext& c) const
     return meter.because("the exposure follows the light on what is shown");
 }
 
-void MeterPass::setup(PassBuilder& b, FrameContext&)
+void MeterPass::setup(PassBuilder& b, FrameContext& c)
 {
     b.readGBuffer();
+    b.define("HAS_CATCHERS", c.facts.surfaces.catchers > 0);
     b.read(b.find("emission"), "emissionMap");
     b.read(b.find("radiance"), "radianceMap");
     b.write(b.create("metered", {GL_RG32F, limits::METER_SIDE}));

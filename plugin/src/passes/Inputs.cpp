@@ -220,9 +220,17 @@ void readBackground(PassBuilder& b, FrameContext& c)
     if (c.background == Settings::BACKGROUND_ON) b.bind(c.textures->latlong(), "latlongMap");
 }
 
+void readCatchers(PassBuilder& b, FrameContext& c)
+{
+    if (c.facts.surfaces.catchers == 0) return;
+    b.define("HAS_CATCHERS");
+    b.define("OUTPUT_LINEAR", c.settings.output == Settings::LINEAR);  // a veil goes by what the host blends
+}
+
 void readPicture(PassBuilder& b, FrameContext& c)
 {
     readTerms(b, c);
+    readCatchers(b, c);
     readBackground(b, c);
 }
 

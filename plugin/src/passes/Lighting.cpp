@@ -24,9 +24,9 @@ void DiffusePass::setup(PassBuilder& b, FrameContext& c)
     if (!c.decisions.sunDiffuse) return;
     b.define("HAS_SUNS");
     readSuns(b, c);
-    // A picture shows only what shadows leave of them.
+    // A picture shows only what shadows leave of them, but for shadow catchers.
     const bool isShaded = readSunVisibility(b);
-    const bool keepsUnshaded = !isShaded || c.settings.view != Settings::BEAUTY;
+    const bool keepsUnshaded = !isShaded || c.settings.view != Settings::BEAUTY || c.facts.surfaces.catchers > 0;
     b.define("UNSHADED_SUNS", keepsUnshaded);
     if (isShaded) b.write(b.create("sun shaded"));
     if (keepsUnshaded) b.write(b.create("sun diffuse"));

@@ -75,6 +75,8 @@ void ResolvePass::setup(PassBuilder& b, FrameContext& c)
     }
     b.readGBuffer();
     readTerms(b, c);
+    readCatchers(b, c);
+    if (c.facts.surfaces.catchers > 0) readBackground(b, c);
     readFog(b, c);
     if (surfaces) drawSurfaces(b);
     overBackground ? b.drawOver(radiance) : b.write(radiance);
@@ -119,6 +121,7 @@ void CompositePass::setup(PassBuilder& b, FrameContext& c)
         b.define("ACCUMULATED", !averaged && c.hasFirstFrame());
         if (c.background == Settings::BACKGROUND_OFF) b.blendOverHost();
     } else {
+        if (c.background == Settings::BACKGROUND_OFF && c.facts.surfaces.catchers > 0) b.blendOverHost();
         readExposure(b, c);
         if (!readShown(b, c)) {
             b.define("VIEW_TERM");

@@ -88,6 +88,11 @@ void Material::setStrauss(osg::StateSet& stateSet, const osg::Vec3f& color, floa
     setUniform(stateSet, "envlightSmoothness", smoothness);
 }
 
+void Material::setShadowCatcher(osg::StateSet& stateSet, bool on)
+{
+    setUniform(stateSet, MaterialMaps::shadowCatcher, on);
+}
+
 void Material::setVertexColors(osg::StateSet& stateSet, bool on)
 {
     setUniform(stateSet, MaterialMaps::vertexColors, on);

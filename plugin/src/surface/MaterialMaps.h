@@ -27,9 +27,10 @@ struct MaterialMaps {
     static constexpr const char* normalUp = "envlightNormalUp";  // -1: the second coordinate is 0 at the top
     static constexpr const char* coatNormalScale = "envlightCoatNormalScale";
     static constexpr const char* coatNormalUp = "envlightCoatNormalUp";
-    static constexpr const char* emission = "envlightEmission";    // linear
-    static constexpr const char* light = "envlightLight";          // radiance of an AreaLight's surface
-    static constexpr const char* lightMode = "envlightLightMode";  // a Material::LightMode
+    static constexpr const char* emission = "envlightEmission";            // linear
+    static constexpr const char* light = "envlightLight";                  // radiance of an AreaLight's surface
+    static constexpr const char* lightMode = "envlightLightMode";          // a Material::LightMode
+    static constexpr const char* shadowCatcher = "envlightShadowCatcher";  // bool
     static constexpr const char* dielectric = "envlightDielectric";
     static constexpr const char* edge = "envlightEdge";  // of metal: the argument of edgeLoss()
     static constexpr const char* diffuseRoughness = "envlightDiffuseRoughness";

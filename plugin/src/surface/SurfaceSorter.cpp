@@ -177,6 +177,7 @@ class SurfaceSort
     // None if it has none.
     static unsigned lobeBits(const SurfaceState& state)
     {
+        if (state.shadowCatcher()) return 0u;
         if (state.litProgram()) return 1u << Material::COOK_TORRANCE;
         if (state.coated()) return 1u << Material::COOK_TORRANCE | SurfaceKinds::COATS;
         if (state.anisotropic()) return 1u << Material::COOK_TORRANCE | SurfaceKinds::ANISOTROPY;
@@ -189,6 +190,7 @@ class SurfaceSort
     SurfaceSorter::Variation variationOf(const SurfaceState& state) const
     {
         using S = SurfaceSorter;
+        if (state.shadowCatcher()) return {S::ENVLIGHT_CATCHER | (state.clipped() ? uint64_t(S::CLIP_PLANES) : 0u), {}};
         uint64_t bits = textureBits(state);
         if (state.paintedReflection()) bits |= S::PAINTED_REFLECTION;
         if (state.paintedHighlight()) bits |= S::TEXTURE_ADD;
@@ -252,6 +254,7 @@ class SurfaceSort
         sorted.kinds.lobes |= kindBits(state);
         ++sorted.kinds.deferred;
         if (variation.bits & SurfaceSorter::UNLIT) ++sorted.kinds.unlit;
+        if (variation.bits & SurfaceSorter::ENVLIGHT_CATCHER) ++sorted.kinds.catchers;
         if (variation.bits & SurfaceSorter::ENVLIGHT_LAMP) ++sorted.kinds.lamps;
         addFog(state, leaf);
         osgUtil::StateGraph* n = sg->find_or_insert(_sorter.variant(variation));
@@ -344,7 +347,8 @@ const osg::StateSet* SurfaceSorter::variant(const Variation& variation)
                                           "COAT_ROUGHNESS_MAP",
                                           "COAT_NORMAL_MAP",
                                           "ENVLIGHT_LAMP",
-                                          "FOGGED"};
+                                          "FOGGED",
+                                          "ENVLIGHT_CATCHER"};
     std::lock_guard<std::mutex> lock(_mutex);
     osg::ref_ptr<osg::StateSet>& stateSet = _variants[variation];
     if (!stateSet) {

@@ -107,7 +107,8 @@ class OSGENVLIGHT_EXPORT SurfaceSorter : public osg::Referenced
         COAT_ROUGHNESS_MAP = uint64_t(1) << 36,
         COAT_NORMAL_MAP = uint64_t(1) << 37,
         ENVLIGHT_LAMP = uint64_t(1) << 38,
-        FOGGED = uint64_t(1) << 39
+        FOGGED = uint64_t(1) << 39,
+        ENVLIGHT_CATCHER = uint64_t(1) << 40
     };
     struct Variation {
         uint64_t bits = 0;

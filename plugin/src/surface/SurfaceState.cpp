@@ -83,6 +83,7 @@ void SurfaceState::mergeMaps(const osg::StateSet& s)
     if (const osg::Uniform* emission = s.getUniform(MaterialMaps::emission)) _emits = emission->get(_emission);
     if (const osg::Uniform* mode = s.getUniform(MaterialMaps::lightMode)) mode->get(_light);
     if (s.getUniform(MaterialMaps::light)) _isAreaLight = true;
+    if (const osg::Uniform* catcher = s.getUniform(MaterialMaps::shadowCatcher)) catcher->get(_shadowCatcher);
     if (s.getUniform(MaterialMaps::dielectric)) _dielectric = true;
     if (const osg::Uniform* roughness = s.getUniform(MaterialMaps::diffuseRoughness)) roughness->get(_diffuseRoughness);
     if (const osg::Uniform* coat = s.getUniform(MaterialMaps::coat)) coat->get(_coat);
@@ -253,6 +254,7 @@ SurfaceState::Blending SurfaceState::blendingKind() const
 
 bool SurfaceState::casts(const osg::Geometry* geometry) const
 {
+    if (_shadowCatcher) return false;
     if (_stencil.on || _logicOp.on || _colorMask.attribute || (_blending.on && blendingKind() == BLENDS_OTHERWISE)) return false;
     return depthTested() && (depthWritten() || blended(geometry));
 }

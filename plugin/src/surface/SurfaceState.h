@@ -98,6 +98,8 @@ class OSGENVLIGHT_EXPORT SurfaceState
     bool edged() const { return _edged && cookTorrance() && !coated() && !anisotropic(); }
     /** Its diffuse layer is not Lambert's. */
     bool roughDiffuse() const { return _diffuseRoughness > 0.0f && _brdf >= 0 && !coated() && !anisotropic() && !edged(); }
+    /** A Material says that it shows what is behind it. */
+    bool shadowCatcher() const { return _shadowCatcher; }
     /** A Material says what it emits. */
     bool emits() const { return _emits; }
     /** What it emits, linear, as typed; of a map the mean.
@@ -120,7 +122,7 @@ class OSGENVLIGHT_EXPORT SurfaceState
     /** What of its state no pass of ours draws, so that it is drawn exactly as without the node; null if nothing is. */
     const char* unsupported(const osg::Geometry* geometry) const;
     /** That dims it where a program of ours draws it; null: none does. */
-    const osg::Fog* fog() const { return _fog.on && !_ownProgram ? _fogAttribute.as<osg::Fog>() : nullptr; }
+    const osg::Fog* fog() const { return _fog.on && !_ownProgram && !shadowCatcher() ? _fogAttribute.as<osg::Fog>() : nullptr; }
     /** The environment lights it where it is drawn forward, unless it is unsupported. */
     bool litForward() const { return _ownProgram ? _litProgram : _lighting.on; }
     /** A program of the user's asks the environment itself. */
@@ -197,6 +199,7 @@ class OSGENVLIGHT_EXPORT SurfaceState
     std::array<int, 7> _mapUnits{};  // 0: none
     float _coat = 0.0f;              // its strength
     float _anisotropy = 0.0f;        // its strength
+    bool _shadowCatcher = false;
     bool _dielectric = false;
     bool _edged = false;
     float _diffuseRoughness = 0.0f;

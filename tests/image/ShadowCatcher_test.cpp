@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+// Surfaces that show shadows on the map behind them, and the ground of that kind that a setting puts below a scene.
+#include "SunScenes.h"
+#include "TracedView.h"
+
+#include <osgEnvLight/Material>
+
+#include <osg/MatrixTransform>
+
+#include <gtest/gtest.h>
+
+namespace ShadowCatcher_test
+{
+
+using osgEnvLight::Layer;
+using osgEnvLight::LitScene;
+using osgEnvLight::Material;
+using osgEnvLight::ReferenceOptions;
+using osgEnvLight::Settings;
+
+namespace
+{
+
+// A sun over a sky, and ground below the horizon.
+osg::ref_ptr<LitScene> outdoors()
+{
+    osg::Vec3d sun(0.5, -0.3, 1.0);
+    sun.normalize();
+    const osg::ref_ptr<LitScene> lit = makeLit(makeMap(512, 256, [=](const osg::Vec3d& d) {
+                                                   if (d * sun > std::cos(1.5 * sunscenes::degree))
+                                                       return osg::Vec3d(900, 800, 700);
+                                                   return d.z() > 0.0 ? osg::Vec3d(0.6, 0.8, 1.2) : osg::Vec3d(0.5, 0.4, 0.3);
+                                               }).get());
+    Settings& s = *lit->getSettings();
+    s.suns = Settings::SUNS_AUTO;
+    s.bounce = Settings::BOUNCE_OFF;
+    s.regeneration = Settings::IMMEDIATE;
+    return lit;
+}
+
+osg::ref_ptr<osg::Geode> floorOf(double halfSide)
+{
+    return makeQuad(osg::Vec3d(-halfSide, -halfSide, 0), osg::Vec3d(2 * halfSide, 0, 0), osg::Vec3d(0, 2 * halfSide, 0));
+}
+
+osg::ref_ptr<osg::Geode> boxOn(double height)
+{
+    return makeBox(osg::Vec3d(-0.5, -0.5, height), osg::Vec3d(0.5, 0.5, height + 1.0));
+}
+
+void lookAtFloor(SceneRenderer& renderer)
+{
+    renderer.lookAt(osg::Vec3d(0.0, -4.0, 4.0), osg::Vec3d(-0.4, 0.2, 0.0), osg::Vec3d(0, 0, 1), 25.0);
+}
+
+// The largest difference in any channel, as a share of the second's.
+double largestShare(const Picture& a, const Picture& b, const std::function<bool(int, int)>& counts)
+{
+    double most = 0.0;
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x)
+            for (int k = 0; k < 3 && counts(x, y); ++k)
+                most = std::max(most, double(std::abs(a.color(x, y)[k] - b.color(x, y)[k]) / b.color(x, y)[k]));
+    return most;
+}
+
+Picture without(LitScene& lit, SceneRenderer& renderer)
+{
+    lit.removeChildren(0, lit.getNumChildren());
+    lit.getSettings()->ground = Settings::GROUND_OFF;
+    return renderer.render(&lit);
+}
+
+}  // namespace
+
+// Its picture over that of the map is the light on a floor over that on the floor of an empty scene: of a frame, and of an
+// average.
+TEST(ShadowCatcher, DarkensTheMapAsAFloorIsDarkened)
+{
+    const int side = 64;
+    SceneRenderer renderer(side, side);
+    lookAtFloor(renderer);
+    const osg::ref_ptr<LitScene> lit = outdoors();
+    lit->addChild(floorOf(8.0));
+    lit->addChild(boxOn(0.1));
+    Material::setLambert(*lit->getChild(0)->getOrCreateStateSet(), osg::Vec3f(0.5f, 0.5f, 0.5f));
+    Material::setLambert(*lit->getChild(1)->getOrCreateStateSet(), osg::Vec3f());  // its top, too, is level
+    renderer.render(lit);                                                          // the camera's near and far
+    // Both by the same samples, most of whose noise the quotient is without.
+    const auto traced = [&](ReferenceOptions::Paths paths) {
+        return tracedView(*lit, renderer, 256, {Layer::BEAUTY, Layer::NORMAL, Layer::DEPTH}, false, paths);
+    };
+    const osgEnvLight::ReferenceResult open = traced(ReferenceOptions::UNOCCLUDED);
+    const Picture alone = open.mean(Layer::BEAUTY), shaded = traced(ReferenceOptions::DIRECT).mean(Layer::BEAUTY);
+    Material::setShadowCatcher(*lit->getChild(0)->getOrCreateStateSet());
+    std::vector<Picture> shown = {renderer.render(lit)};
+    lit->getSettings()->accumulate = true;
+    shown.push_back(renderer.render(lit, 48));
+    lit->getSettings()->accumulate = false;
+    const Picture map = without(*lit, renderer);
+
+    const osgEnvLight::Mask inner = awayFromEdges(osgEnvLight::Mask::geometry(alone), open);
+    for (const Picture& picture : shown) {
+        double sum = 0.0, of = 0.0;
+        int pixels = 0, dark = 0;
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) {
+                if (!(alone.color(x, y)[1] > 0.0f) || !inner.at(x, y)) continue;
+                const double share = double(shaded.color(x, y)[1] / alone.color(x, y)[1]);
+                ++pixels;
+                dark += share < 0.5;
+                sum += share * share;
+                of += std::pow(double(picture.color(x, y)[1] / map.color(x, y)[1]) - share, 2.0);
+            }
+        EXPECT_GT(pixels, side * side / 2);
+        EXPECT_GT(dark, pixels / 30) << "the box's shadow is in view";
+        EXPECT_LT(std::sqrt(of / sum), 0.02);  // measured: .0128 and .0142, with the truth's noise and the shadow's edge
+    }
+}
+
+// Far from what casts shadows nothing of the ground is seen, nor where it ends.
+TEST(ShadowCatcher, TheGroundItselfIsNotSeen)
+{
+    SceneRenderer renderer(128, 128);
+    renderer.lookAt(osg::Vec3d(0.0, -6.0, 2.0), osg::Vec3d(0, 4, 1.0), osg::Vec3d(0, 0, 1), 60.0);
+    for (const bool probes : {false, true}) {
+        const osg::ref_ptr<LitScene> lit = outdoors();
+        lit->addChild(makeSphere(osg::Vec3d(0, 0, 0.05), 0.05, 16));
+        lit->getSettings()->ground = Settings::GROUND_SHADOWS;
+        if (probes) lit->getSettings()->bounce = Settings::BOUNCE_PROBES;
+        lit->getSettings()->bounceProbes = fewestProbes;
+        const osg::Vec2d ball = renderer.pixelOf(osg::Vec3d(0, 0, 0.05));
+        const Picture p = renderer.render(lit, probes ? 4 : 1);
+        const auto far = [&](int x, int y) { return (osg::Vec2d(x, y) - ball).length() > 24.0; };
+        EXPECT_LT(largestShare(p, without(*lit, renderer), far), 1e-3) << probes;
+    }
+}
+
+// As a veil over what the host has behind it.
+TEST(ShadowCatcher, WithoutTheMapShadowsAreAVeil)
+{
+    SceneRenderer renderer(96, 96);
+    lookAtFloor(renderer);
+    const osg::ref_ptr<LitScene> lit = outdoors();
+    lit->addChild(boxOn(0.0));
+    lit->getSettings()->ground = Settings::GROUND_SHADOWS;
+    const Picture over = renderer.render(lit);
+    lit->getSettings()->background = Settings::BACKGROUND_OFF;
+    renderer.viewer().getCamera()->setClearColor(osg::Vec4(2.0f, 2.0f, 2.0f, 0.0f));
+    const Picture veiled = renderer.render(lit);
+    renderer.viewer().getCamera()->setClearColor(osg::Vec4());
+    lit->getSettings()->background = Settings::BACKGROUND_ON;
+    const Picture map = without(*lit, renderer);
+    int dark = 0;
+    for (int y = 0; y < 96; ++y)
+        for (int x = 0; x < 96; ++x) {
+            if (over.color(x, y)[1] > map.color(x, y)[1] * 1.01f) continue;  // the box
+            const glsl::vec3 share = glsl::vec3(over.color(x, y)[0], over.color(x, y)[1], over.color(x, y)[2]) /
+                                     glsl::vec3(map.color(x, y)[0], map.color(x, y)[1], map.color(x, y)[2]);
+            dark += share.y < 0.5;
+            EXPECT_NEAR(double(veiled.color(x, y)[1]), 2.0 * glsl::luminance(share), 2e-3) << x << ", " << y;
+        }
+    EXPECT_GT(dark, 200);
+}
+
+// A catcher between a lamp of the map and a body takes nothing from it.
+TEST(ShadowCatcher, CastsNoShadow)
+{
+    SceneRenderer renderer(64, 64);
+    renderer.lookAt(osg::Vec3d(0, 0, 0.2), osg::Vec3d(0, 0, -1), osg::Vec3d(0, 1, 0));
+    const osg::ref_ptr<LitScene> lit = outdoors();
+    lit->addChild(makeBox(osg::Vec3d(-1, -1, -2), osg::Vec3d(1, 1, -1)));
+    const Picture open = renderer.render(lit);
+    const osg::ref_ptr<osg::MatrixTransform> above = new osg::MatrixTransform(osg::Matrixd::translate(0, 0, 0.5));
+    above->addChild(floorOf(3.0));
+    lit->addChild(above);
+    EXPECT_GT(largestDifference(renderer.render(lit), open), 0.1) << "a floor does, above the eye";
+    Material::setShadowCatcher(*above->getOrCreateStateSet());
+    EXPECT_LE(largestDifference(renderer.render(lit), open), 1e-6);
+}
+
+// It lies at the lowest vertex, not at the corner of a turned box of bounds; a body that rises leaves it behind.
+TEST(ShadowCatcher, TheGroundIsAsLowAsTheSceneHasBeen)
+{
+    SceneRenderer renderer(96, 96);
+    const osg::ref_ptr<LitScene> lit = outdoors();
+    const osg::ref_ptr<osg::MatrixTransform> turned = new osg::MatrixTransform(osg::Matrixd::rotate(0.7, osg::Vec3d(1, 1, 0)));
+    turned->addChild(makeSphere(osg::Vec3d(), 1.0, 64));
+    lit->addChild(turned);
+    lit->getSettings()->ground = Settings::GROUND_SHADOWS;
+    lit->getSettings()->view = Settings::NORMAL;
+    // Level, from just above and just below the ball's lowest point.
+    const auto showsGround = [&](double height) {
+        renderer.lookAt(osg::Vec3d(0, -6, height + 0.02), osg::Vec3d(0, -3, height));
+        const Picture p = renderer.render(lit);
+        return p.color(6, 6)[2] > 0.9f || p.color(6, 89)[2] > 0.9f;  // beside the ball
+    };
+    EXPECT_TRUE(showsGround(-0.99));
+    EXPECT_FALSE(showsGround(-1.05));
+    const osg::BoundingSphere bound = lit->getBound();
+    EXPECT_NEAR(double(bound.radius()), 1.0, 0.8) << "the home view does not go by the ground";
+    turned->postMult(osg::Matrixd::translate(0, 0, 0.5));
+    EXPECT_TRUE(showsGround(-0.99));
+    turned->postMult(osg::Matrixd::translate(0, 0, -1.0));
+    EXPECT_TRUE(showsGround(-1.49)) << "it falls with the ball";
+    EXPECT_FALSE(showsGround(-1.55));
+}
+
+// Its bounds reach behind the eye. A near plane that went by them would leave the depth buffer few steps for the scene.
+TEST(ShadowCatcher, TheGroundLeavesTheNearPlaneToTheScene)
+{
+    SceneRenderer renderer(64, 64);
+    const osg::ref_ptr<LitScene> lit = outdoors();
+    lit->addChild(makeSphere(osg::Vec3d(), 1.0, 32));
+    lit->getSettings()->ground = Settings::GROUND_SHADOWS;
+    renderer.lookAt(osg::Vec3d(0, -10, 3), osg::Vec3d(), osg::Vec3d(0, 0, 1), 20.0);
+    renderer.render(lit);
+    double left, right, bottom, top, near, far;
+    renderer.viewer().getCamera()->getProjectionMatrixAsFrustum(left, right, bottom, top, near, far);
+    // The view's lowest ray falls by 26.7 degrees and meets the ground, 4 below the eye, 8.9 away: 8.8 deep.
+    EXPECT_GT(near, 8.0);
+    EXPECT_LT(near, 9.0);
+    EXPECT_GT(far, 11.0);
+}
+
+}  // namespace ShadowCatcher_test
