@@ -48,6 +48,8 @@ Container openContainer(const Bytes& bytes, const std::string& name)
     Container container;
     if (bytes.size() < 4 || std::memcmp(bytes.data(), "glTF", 4) != 0) {
         container.text.assign(bytes.begin(), bytes.end());
+        if (container.text.rfind("version https://git-lfs", 0) == 0)
+            fail("it is the pointer of a file that Git LFS has not fetched, expected a glTF file");
         return container;
     }
     if (bytes.size() < header) fail("the file ends within its header, expected 12 bytes");

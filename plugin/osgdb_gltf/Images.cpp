@@ -17,8 +17,19 @@ namespace osgEnvLight::gltf
 namespace
 {
 
-/** Deflate's limit, and about JPEG's: one byte of a file can't stand for more of a picture. */
+/** Deflate's limit, and about JPEG's: one byte of a file can't stand for more bytes of a picture. */
 constexpr std::uint64_t mostPixelBytes = 1032;
+
+/** Of a picture as it is compressed: in a grey or indexed PNG, pixels may be single bits. */
+std::uint64_t packedBytes(const Bytes& file, std::uint64_t width, std::uint64_t height, std::uint64_t channels)
+{
+    constexpr std::size_t depthPlace = 24, kindPlace = 25;  // in the header of a PNG [PNG specification, 11.2.2]
+    constexpr unsigned grey = 0, indexed = 3;
+    const bool isPng = file.size() > kindPlace && file[0] == 0x89 && file[1] == 'P';
+    const bool isNarrow = isPng && (unsigned(file[kindPlace]) == grey || unsigned(file[kindPlace]) == indexed);
+    const std::uint64_t bits = isNarrow ? std::min(unsigned(file[depthPlace]), 8u) : 8 * channels;
+    return (width * bits + 7) / 8 * height;
+}
 
 std::string kindOf(const Bytes& bytes)
 {
@@ -34,9 +45,8 @@ osg::ref_ptr<osg::Image> decode(const Bytes& bytes, const Asset& asset, const st
     int width = 0, height = 0, channels = 0;
     if (!stbi_info_from_memory(bytes.data(), size, &width, &height, &channels))
         asset.fail(path, "a PNG or JPEG image of at most 16384 pixels a side", kindOf(bytes));
-    const std::uint64_t pixelBytes = std::uint64_t(width) * std::uint64_t(height) * std::uint64_t(channels);
     if (width < 1 || height < 1 || width > STBI_MAX_DIMENSIONS || height > STBI_MAX_DIMENSIONS ||
-        pixelBytes > mostPixelBytes * bytes.size())
+        packedBytes(bytes, std::uint64_t(width), std::uint64_t(height), std::uint64_t(channels)) > mostPixelBytes * bytes.size())
         asset.fail(path, "as many pixels as a file of " + std::to_string(bytes.size()) + " bytes can hold",
                    std::to_string(width) + " x " + std::to_string(height));
     unsigned char* pixels = stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 0);

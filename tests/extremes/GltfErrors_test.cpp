@@ -59,6 +59,8 @@ TEST(GltfErrors, Containers)
     EXPECT_EQ(messageOf("{\"asset\""),
               "stream: not valid JSON at line 1, column 9: syntax error while parsing object separator - unexpected end of "
               "input; expected ':'");
+    EXPECT_EQ(messageOf("version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 7\n"),
+              "stream: it is the pointer of a file that Git LFS has not fetched, expected a glTF file");
     EXPECT_EQ(messageOf("[]"), "stream: the file: expected an object, found []");
     EXPECT_EQ(messageOf(std::string(100, '[')), "stream: not valid: nested deeper than 64 levels");
     const std::string binary = whole().binary();

@@ -64,6 +64,21 @@ File textured(int count, const std::string& uri = "data:image/png;base64," + bas
 
 }  // namespace
 
+// 512 x 512 pixels of a bit each, all alike, in 126 bytes.
+TEST(GltfMaterials, AnImageOfOneColorIsSmall)
+{
+    const std::string flat =
+        "iVBORw0KGgoAAAANSUhEUgAAAgAAAAIAAQMAAADOtka5AAAAA1BMVEXIZDLxgAUBAAAANklEQVR42u3BAQEAAACCIP+vbkhAAQAA"
+        "AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAB8G4IAAAFjdVCkAAAAAElFTkSuQmCC";
+    const osg::StateSet* s = stateSetOf({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}},
+                                        textured(1, "data:image/png;base64," + flat));
+    ASSERT_TRUE(s);
+    const auto* texture = dynamic_cast<const osg::Texture2D*>(s->getTextureAttribute(0, osg::StateAttribute::TEXTURE));
+    ASSERT_TRUE(texture && texture->getImage());
+    EXPECT_EQ(512, texture->getImage()->s());
+    EXPECT_NEAR(200.0 / 255.0, double(texture->getImage()->getColor(511u, 511u).r()), 1e-6);
+}
+
 TEST(GltfMaterials, FactorsAreOursAndOpenSceneGraphs)
 {
     osg::StateSet* s = stateSetOf(
