@@ -17,6 +17,11 @@ double encode(double linear)
     return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
 }
 
+unsigned char byteOf(float value)
+{
+    return static_cast<unsigned char>(std::lround(255.0f * (value > 0.0f ? std::min(value, 1.0f) : 0.0f)));
+}
+
 }  // namespace
 
 double luminance(const osg::Vec3d& rgb)
@@ -50,10 +55,21 @@ osg::ref_ptr<osg::Image> eightBit(const Picture& encoded)
     for (int y = 0; y < encoded.height; ++y)
         for (int x = 0; x < encoded.width; ++x) {
             unsigned char* out = image->data(unsigned(x), unsigned(y));
-            for (int k = 0; k < 3; ++k) {
-                const float value = encoded.at(x, y)[k];
-                out[k] = static_cast<unsigned char>(std::lround(255.0f * (value > 0.0f ? std::min(value, 1.0f) : 0.0f)));
-            }
+            for (int k = 0; k < 3; ++k) out[k] = byteOf(encoded.at(x, y)[k]);
+        }
+    return image;
+}
+
+osg::ref_ptr<osg::Image> eightBitCovered(const Picture& encoded)
+{
+    osg::ref_ptr<osg::Image> image = new osg::Image;
+    image->allocateImage(encoded.width, encoded.height, 1, GL_RGBA, GL_UNSIGNED_BYTE, 1);
+    for (int y = 0; y < encoded.height; ++y)
+        for (int x = 0; x < encoded.width; ++x) {
+            unsigned char* out = image->data(unsigned(x), unsigned(y));
+            const float* in = encoded.at(x, y);
+            out[3] = byteOf(in[3]);
+            for (int k = 0; k < 3; ++k) out[k] = out[3] > 0 ? byteOf(in[k] / std::min(in[3], 1.0f)) : 0;
         }
     return image;
 }

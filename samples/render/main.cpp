@@ -43,7 +43,9 @@ void addOptions(CommandLine& line, Arguments& a)
         .within(1e-6, 1.0);
     a.views.addTo(line);
     line.add("--stats", a.statistics, "JSON file for plan and times");
-    line.add("-o,--output", a.output, "OUT.exr (linear radiance) or OUT.png (exposed and tone mapped)").required();
+    line.add("-o,--output", a.output,
+             "OUT.exr (linear radiance) or OUT.png (exposed and tone mapped, transparent with background=off)")
+        .required();
 }
 
 bool converges(const Arguments& a)
@@ -75,10 +77,12 @@ bool draw(HeadlessViewer& viewer, const osgEnvLight::LitScene& lit, const Argume
     return true;
 }
 
-void write(HeadlessViewer& viewer, const std::string& file)
+// Where no map is to be behind the scene, a PNG is transparent.
+osg::ref_ptr<osg::Image> imageFor(const std::string& file, HeadlessViewer& viewer, const osgEnvLight::Settings& settings)
 {
-    const bool linear = osgDB::getLowerCaseFileExtension(file) == "exr";
-    writeWholeImageFile(linear ? *viewer.image() : *osgEnvLight::eightBit(viewer.picture()), file);
+    if (osgDB::getLowerCaseFileExtension(file) == "exr") return viewer.image();
+    const bool covers = settings.background == osgEnvLight::Settings::BACKGROUND_OFF;
+    return covers ? osgEnvLight::eightBitCovered(viewer.picture()) : osgEnvLight::eightBit(viewer.picture());
 }
 
 // False if the only picture is not complete.
@@ -102,7 +106,7 @@ bool drawViews(HeadlessViewer& viewer, osgEnvLight::LitScene& lit, const Argumen
         const bool complete = draw(viewer, lit, a, statistics, show);
         // --resume makes the pictures that are not there, so of several only complete ones are written.
         if (!complete && wanted.size() > 1) throw std::runtime_error("interrupted before " + file);
-        write(viewer, file);
+        writeWholeImageFile(*imageFor(file, viewer, *lit.getSettings()), file);
         if (!complete) return false;
         if (Interruption::requested() && k + 1 < wanted.size()) throw std::runtime_error("interrupted after " + file);
     }

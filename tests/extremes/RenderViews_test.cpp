@@ -157,4 +157,35 @@ TEST_F(RenderViews, InterruptedATurnLeavesNoHalfPicture)
     EXPECT_FALSE(exists("turn-0001.exr"));
 }
 
+// A picture to lay over another: what covers the background, in its own colours, and a veil where its shadow falls.
+TEST_F(RenderViews, WithoutABackgroundIsTransparent)
+{
+    const std::vector<std::string> command =
+        with(with({program, model}, view), {"--set", "ground=shadows", "--set", "antialias=off", "--size", "64x64"});
+    const auto render = [&](const std::string& name, const std::string& background) {
+        const Outcome o = runProgram(with(command, {"--set", "background=" + background, "-o", folder.file(name)}));
+        EXPECT_EQ(0, o.status) << o.err;
+        return osgDB::readRefImageFile(folder.file(name));
+    };
+    const osg::ref_ptr<osg::Image> cut = render("cut.png", "off"), whole = render("whole.png", "on");
+    ASSERT_TRUE(cut && whole);
+    EXPECT_FALSE(whole->isImageTranslucent());
+    int covered = 0, veiled = 0, clear = 0;
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x) {
+            const osg::Vec4 c = cut->getColor(unsigned(x), unsigned(y)), w = whole->getColor(unsigned(x), unsigned(y));
+            if (c.a() == 0.0f) ++clear;
+            if (c.a() > 0.3f && c.a() < 1.0f) {
+                ++veiled;
+                EXPECT_LT(c.r() + c.g() + c.b(), 0.03f) << x << ", " << y;
+            }
+            if (c.a() < 1.0f) continue;
+            ++covered;
+            for (int k = 0; k < 3; ++k) EXPECT_NEAR(c[k], w[k], 1.5 / 255.0) << x << ", " << y;
+        }
+    EXPECT_GT(covered, 150);
+    EXPECT_GT(veiled, 20);
+    EXPECT_GT(clear, 1000);
+}
+
 }  // namespace RenderViews_test
