@@ -13,7 +13,7 @@
 #include "pass/atlas.glsl"
 #include "pass/lobeshown.glsl"
 #include "pass/lobewidth.glsl"
-#include "pass/picture.glsl"
+#include "pass/catchers.glsl"
 #include "pass/pixelfog.glsl"
 
 uniform float frameWeight;

@@ -2,12 +2,11 @@
 // L = L_e + S + D - O [seed 000, eq. 3] and the bounce, from what the passes left, and the map behind the scene.
 #ifndef PICTURE_GLSL
 #define PICTURE_GLSL
-#pragma import_defines(BACKGROUND_BLUR, HAS_SPECULAR, HAS_LOBES, HAS_REFLECTED, HAS_GATHERED, HAS_CATCHERS, BACKGROUND, OUTPUT_LINEAR)
+#pragma import_defines(BACKGROUND_BLUR, HAS_SPECULAR, HAS_LOBES, HAS_REFLECTED, HAS_GATHERED, BACKGROUND)
 
 #include "lib/constants.glsl"
 #include "lib/latlong.glsl"
 #include "lib/octahedral.glsl"
-#include "lib/tone.glsl"
 #include "pass/blockers.glsl"
 #include "pass/gbuffer.glsl"
 #include "pass/terms.glsl"
@@ -78,34 +77,7 @@ vec3 termSum(ivec2 p)
     return emitted(p) + specularTerm(p) + sunShaded(p) + occludedDiffuse(p) + bounce(p);
 }
 
-#ifdef HAS_CATCHERS
-// What a shadow catcher shows of the map behind it. light: what it reflects, beside which is what it would reflect of the map if the
-// scene were empty. Without the map a black veil is over what the host has behind.
-vec4 shownBehind(ivec2 p, vec3 light)
-{
-    vec3 alone = diffuseTerm(p) + sunDiffuse(p);
-    vec3 share = mix(vec3(1.0), light / max(alone, vec3(1e-20)), greaterThan(alone, vec3(0.0)));
-#ifdef BACKGROUND
-    return vec4(background(mapFromEye * viewRay(inverseProjection, pixelNdc(p))) * share, 1.0);
-#else
-    float left = min(luminance(share), 1.0);
-#ifndef OUTPUT_LINEAR
-    left = srgbEncode3(vec3(left)).r;  // the host blends display values
-#endif
-    return vec4(vec3(0.0), 1.0 - left);
-#endif
-}
-#endif
-
-// Of the terms' sum. Alpha: coverage.
-vec4 surfacePicture(ivec2 p, vec3 sum)
-{
-#ifdef HAS_CATCHERS
-    if (isCatcher(kindBrdf(pixelKind(p)), texelFetch(normalMap, p, 0).a)) return shownBehind(p, sum);
-#endif
-    return vec4(sum, 1.0);
-}
-
+// Alpha: 0, where no surface is.
 vec4 backgroundPicture(ivec2 p)
 {
 #ifdef BACKGROUND

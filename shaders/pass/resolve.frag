@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // The one place where the terms meet: the radiance of the surfaces. Alpha: coverage.
 
-#include "pass/picture.glsl"
+#include "pass/catchers.glsl"
 #include "pass/pixelfog.glsl"
 
 layout(location = 0) out vec4 radiance;

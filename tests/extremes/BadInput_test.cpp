@@ -151,6 +151,8 @@ TEST_F(BadInput, SceneDescriptions)
         {start + ", \"materials\": {\"gold\": {\"brdf\": \"lambert\", \"diffuse\": [1, 2, 3]}}}",
          {"'materials.gold.diffuse'", "0..1"}},
         {start + ", \"materials\": {\"gold\": {\"brdf\": \"lambert\"}}}", {"gold", "no material"}},
+        {start + ", \"materials\": {\"gold\": {\"brdf\": \"shadow-catcher\", \"diffuse\": [1, 1, 1]}}}",
+         {"'materials.gold.diffuse'", "one of brdf"}},
         {start + ", \"materials\": {\"gold\": {\"brdf\": \"cook-torrance\", \"normals\": \"phong\"}}}",
          {"'materials.gold.normals'", "ggx", "beckmann", "phong"}},
         {start + ", \"materials\": {\"gold\": {\"brdf\": \"strauss\", \"smoothness\": 1.5}}}",

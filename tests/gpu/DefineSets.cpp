@@ -26,6 +26,7 @@ const std::vector<Defines> alternatives = {
     {"ACCUMULATED", "VIEW_TERM"},
     {"ANTIALIASED", "VIEW_TERM"},
     {"ACCUMULATED", "TEMPORAL"},
+    {"VEIL_LINEAR", "BACKGROUND"},
     {"ADAPTED", "VIEW_TERM"},
     {"ADAPTED", "ANTIALIASED"},
     {"ADAPTED", "OUTPUT_LINEAR"},
@@ -41,6 +42,8 @@ const std::vector<std::pair<std::string, std::string>> needs = {
     {"HAS_OCCLUSION", "HAS_DIFFUSE"},        {"HAS_BOUNCE", "HAS_OCCLUSION"}, {"SUN_DIFFUSE", "HAS_SUNS"},
     {"HAS_NEIGHBOURHOOD", "HAS_ATLAS"},      {"TEMPORAL", "ANTIALIASED"},     {"HAS_LOBES", "HAS_ATLAS"},
     {"HAS_ANISOTROPY", "HAS_COOK_TORRANCE"}, {"HAS_BOUNCE", "HAS_ATLAS"},     {"HAS_PROBES", "HAS_ATLAS"},
+    {"MAP_ON_GROUND", "HAS_CATCHERS"},       {"MAP_ON_GROUND", "BACKGROUND"},
+    {"VEIL_LINEAR", "HAS_CATCHERS"},
     {"HAS_PROBE_LATTICES", "HAS_PROBES"},    {"HAS_UNLIT", "ADAPTED"},     {"HAS_SCENE_LIGHT_MAPS", "HAS_SCENE_LIGHTS"},
 };
 

@@ -3,9 +3,13 @@
 #include "SunScenes.h"
 #include "TracedView.h"
 
+#include <Process.h>
+
 #include <osgEnvLight/Material>
+#include <osgEnvLight/SceneDescription>
 
 #include <osg/MatrixTransform>
+#include <osgDB/WriteFile>
 
 #include <gtest/gtest.h>
 
@@ -163,6 +167,26 @@ TEST(ShadowCatcher, WithoutTheMapShadowsAreAVeil)
     EXPECT_GT(dark, 200);
 }
 
+TEST(ShadowCatcher, IsAMaterialOfSceneDescriptions)
+{
+    const TemporaryFolder folder;
+    const osg::ref_ptr<osg::Geode> floor = floorOf(3.0);
+    floor->setName("floor");
+    ASSERT_TRUE(osgDB::writeNodeFile(*floor, folder.file("floor.osgb")));
+    const std::string file =
+        folder.write("scene.envlight", R"({"model": "floor.osgb", "environment": {"map": "sky"}, "settings": {"bounce": "off"},
+                                           "materials": {"fl*": {"brdf": "shadow-catcher"}}})");
+    osgEnvLight::SceneDescription description;
+    std::string error;
+    ASSERT_TRUE(description.readFile(file, nullptr, error)) << error;
+    const osg::ref_ptr<LitScene> lit = description.build(nullptr, error);
+    ASSERT_TRUE(lit) << error;
+    SceneRenderer renderer(32, 32);
+    lookAtFloor(renderer);
+    renderer.render(lit);
+    EXPECT_EQ(1u, lit->plan().surfaces.catchers);
+}
+
 // A catcher between a lamp of the map and a body takes nothing from it.
 TEST(ShadowCatcher, CastsNoShadow)
 {
@@ -204,6 +228,41 @@ TEST(ShadowCatcher, TheGroundIsAsLowAsTheSceneHasBeen)
     turned->postMult(osg::Matrixd::translate(0, 0, -1.0));
     EXPECT_TRUE(showsGround(-1.49)) << "it falls with the ball";
     EXPECT_FALSE(showsGround(-1.55));
+}
+
+// A place of the ground shows what the map's camera saw there, from wherever one looks. Far off, the map is infinitely far, and
+// the ground's end is not seen.
+TEST(ShadowCatcher, TheMapMayLieOnTheGround)
+{
+    SceneRenderer renderer(160, 160);
+    const auto radiance = [](const osg::Vec3d& d) { return osg::Vec3d(1.0 + 0.5 * d.x(), 1.0 + 0.5 * d.y(), 1.0); };
+    const osg::ref_ptr<LitScene> lit = makeLit(makeMap(512, 256, radiance).get());
+    lit->getSettings()->bounce = Settings::BOUNCE_OFF;
+    lit->addChild(makeSphere(osg::Vec3d(0, 0, 0.05), 0.05, 16));
+    lit->getSettings()->ground = Settings::GROUND_SHADOWS;
+    lit->getSettings()->groundMapHeight = 0.2f;
+    const osg::Vec3d camera(0, 0, 0.2);
+    for (const osg::Vec3d& eye : {osg::Vec3d(0.1, -1.0, 0.6), osg::Vec3d(0.8, 0.5, 0.4), osg::Vec3d(-0.1, 0.2, 1.5)})
+        for (const bool averages : {false, true}) {
+            renderer.lookAt(eye, osg::Vec3d(0, 0, 0.0), osg::Vec3d(0, 1, 0.1), 60.0);
+            lit->getSettings()->accumulate = averages;
+            const Picture p = renderer.render(lit, averages ? 6 : 1);
+            for (const osg::Vec3d& place : {osg::Vec3d(0.25, 0.1, 0), osg::Vec3d(-0.1, 0.22, 0), osg::Vec3d(-0.2, -0.2, 0)}) {
+                osg::Vec3d seen = place - camera;
+                seen.normalize();
+                const osg::Vec2d pixel = renderer.pixelOf(place);
+                for (int k = 0; k < 3; ++k)
+                    EXPECT_NEAR(double(p.color(int(pixel.x()), int(pixel.y()))[k]) / radiance(seen)[k], 1.0, 0.02)
+                        << place.x() << k;
+            }
+        }
+    lit->getSettings()->accumulate = false;
+    renderer.lookAt(osg::Vec3d(0, -0.3, 0.1), osg::Vec3d(0, 4, 0.0), osg::Vec3d(0, 0, 1), 60.0);
+    const Picture p = renderer.render(lit);
+    const int horizon = int(renderer.pixelOf(osg::Vec3d(0, 1e4, 0.0)).y());
+    for (int y = std::min(horizon, 80) - 12; y < horizon + 12; ++y)
+        for (int x = 4; x < 30; ++x)
+            for (int k = 0; k < 2; ++k) EXPECT_NEAR(p.color(x, y)[k], p.color(x, y + 1)[k], 0.02f) << x << ", " << y;
 }
 
 // Its bounds reach behind the eye. A near plane that went by them would leave the depth buffer few steps for the scene.

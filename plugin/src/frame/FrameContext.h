@@ -14,6 +14,7 @@
 #include "shadow/SunShadows.h"
 #include "surface/CasterMotion.h"
 #include "surface/FogValues.h"
+#include "surface/Ground.h"
 
 #include <osgEnvLight/GBuffer>
 
@@ -67,6 +68,7 @@ struct FrameContext {
     int background = Settings::BACKGROUND_ON;  // never AUTO
     FogValues fog = {};                        // before what is lit
     std::string behind = {};                   // what is behind the scene, in words
+    const Ground* ground = nullptr;            // of Settings::ground; null: there is none
     bool showsNothing = false;                 // of the scene there is: its shadow maps are kept for when it does
 
     SceneFacts facts = {};

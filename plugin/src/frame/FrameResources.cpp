@@ -165,6 +165,16 @@ osg::StateSet& FrameResources::probeState(double share)
     return *_probeState;
 }
 
+osg::StateSet& FrameResources::groundState(const osg::Vec4f& camera)
+{
+    if (!_groundState) {
+        _groundState = new osg::StateSet;
+        _groundState->addUniform(new osg::Uniform("mapCamera", camera));
+    }
+    _groundState->getUniform("mapCamera")->set(camera);
+    return *_groundState;
+}
+
 osg::StateSet& FrameResources::fogState(const FogValues& fog, const osg::Vec3f& radiance)
 {
     if (!_fogState) {

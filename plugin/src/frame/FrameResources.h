@@ -86,6 +86,8 @@ class OSGENVLIGHT_EXPORT FrameResources : public osg::Referenced
     /** Uniforms of pass/indirect.frag. */
     osg::StateSet& probeState(double share);
     /** Uniforms of pass/fog.glsl. radiance: of the fog, as what is typed is shown. */
+    /** @param camera  of the map, in eye space, and the distance from where on the map is infinitely far */
+    osg::StateSet& groundState(const osg::Vec4f& camera);
     osg::StateSet& fogState(const FogValues& fog, const osg::Vec3f& radiance);
     /** Uniforms of pass/temporal.frag: where the frame before looked from. */
     osg::StateSet& historyState(const osg::Matrixd& formerEyeFromEye, const osg::Matrixd& formerProjection);
@@ -118,6 +120,7 @@ class OSGENVLIGHT_EXPORT FrameResources : public osg::Referenced
     osg::ref_ptr<osg::StateSet> _pointState;
     osg::ref_ptr<osg::StateSet> _causticState;
     osg::ref_ptr<osg::StateSet> _probeState;
+    osg::ref_ptr<osg::StateSet> _groundState;
     osg::ref_ptr<osg::StateSet> _fogState;
     osg::ref_ptr<osg::StateSet> _historyState;
     osg::ref_ptr<osg::StateSet> _sceneLightState;

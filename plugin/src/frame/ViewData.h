@@ -6,7 +6,6 @@
 #include "frame/FrameGraph.h"
 #include "frame/FrameResources.h"
 #include "surface/CasterCollector.h"
-#include "surface/Ground.h"
 #include "surface/MeshLights.h"
 
 #include <osgEnvLight/GBuffer>

@@ -168,6 +168,7 @@ void placeGround(FrameContext& c, ViewData& data, osg::Group& node, SurfaceFacts
     if (c.settings.ground == Settings::GROUND_OFF || !c.facts.ownGBuffer) return data.ground.clear();
     collectCasters(c, data, node, facts);
     data.ground.update(data.casters);
+    if (data.ground.geometry()) c.ground = &data.ground;
 }
 
 void findCasters(FrameContext& c, ViewData& data, osg::Group& node, SurfaceFacts& facts, bool sunny,

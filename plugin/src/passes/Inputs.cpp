@@ -6,6 +6,8 @@
 #include "base/Limits.h"
 #include "shadow/LitSides.h"
 
+#include <algorithm>
+
 #include "glsl.h"
 
 namespace osgEnvLight
@@ -220,11 +222,21 @@ void readBackground(PassBuilder& b, FrameContext& c)
     if (c.background == Settings::BACKGROUND_ON) b.bind(c.textures->latlong(), "latlongMap");
 }
 
+// What stands on the map's ground would be drawn out over ours. It begins a few degrees below the horizon.
+const double heightsToFar = 16.0;
+
 void readCatchers(PassBuilder& b, FrameContext& c)
 {
     if (c.facts.surfaces.catchers == 0) return;
     b.define("HAS_CATCHERS");
-    b.define("OUTPUT_LINEAR", c.settings.output == Settings::LINEAR);  // a veil goes by what the host blends
+    const bool veils = c.background == Settings::BACKGROUND_OFF;
+    b.define("VEIL_LINEAR", veils && c.settings.output == Settings::LINEAR);
+    if (veils || !c.ground || !(c.settings.groundMapHeight > 0.0f)) return;
+    const double height = double(c.settings.groundMapHeight);
+    const double reach = std::min(heightsToFar * height, c.ground->halfSide());
+    const osg::Vec3d camera = c.ground->origin() + osg::Vec3d(0, 0, height);
+    b.define("MAP_ON_GROUND");
+    b.frameUniforms(&c.frame.groundState(osg::Vec4f(camera * osg::Matrixd::inverse(c.worldFromEye), float(reach))));
 }
 
 void readPicture(PassBuilder& b, FrameContext& c)

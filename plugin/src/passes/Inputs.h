@@ -91,7 +91,7 @@ bool lobesShowScene(const FrameContext& context);
 void readTerms(PassBuilder& builder, FrameContext& context);
 /** What is behind the scene. */
 void readBackground(PassBuilder& builder, FrameContext& context);
-/** Shadow catchers, which show it. */
+/** What pass/catchers.glsl reads besides. */
 void readCatchers(PassBuilder& builder, FrameContext& context);
 /** What pass/picture.glsl reads: the terms, and what is behind the scene. */
 void readPicture(PassBuilder& builder, FrameContext& context);

@@ -21,6 +21,8 @@ class OSGENVLIGHT_EXPORT Ground
     const osg::Geometry* geometry() const { return _geometry.get(); }
     /** Of its vertices, in the world. */
     const osg::Vec3d& origin() const { return _origin; }
+    /** In units of the world. */
+    double halfSide() const { return _halfSide; }
 
     /** Cull it as if it were below the node that the traversal stands at. From below it is not seen. The near and far planes move
      * as far as it shows within the view, not by its bounds: those reach behind the eye, and would bring the near plane to it.*/
