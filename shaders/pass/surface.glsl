@@ -220,6 +220,7 @@ Surface readSurface()
     s.diffuseRoughness = envlightDiffuseRoughness;
 #endif
 #if defined(ENVLIGHT_CATCHER)
+    s.alpha = 1.0;
     s.emission = vec3(0.0);
     s.albedo = vec3(CATCHER_ALBEDO);
     s.roughness = CATCHER_ROUGHNESS;

@@ -13,6 +13,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace ShadowCatcher_test
 {
 
@@ -280,6 +282,67 @@ TEST(ShadowCatcher, TheGroundLeavesTheNearPlaneToTheScene)
     EXPECT_GT(near, 8.0);
     EXPECT_LT(near, 9.0);
     EXPECT_GT(far, 11.0);
+}
+
+// Pixels that a box's shadow darkens, of a scene of that size at that place, whose ground lies by the setting.
+int shadedPixels(SceneRenderer& renderer, double scale, const osg::Vec3d& place, bool parallel)
+{
+    const osg::ref_ptr<LitScene> lit = outdoors();
+    const osg::ref_ptr<osg::MatrixTransform> at =
+        new osg::MatrixTransform(osg::Matrixd::scale(scale, scale, scale) * osg::Matrixd::translate(place));
+    at->addChild(boxOn(0.0));
+    lit->addChild(at);
+    lit->getSettings()->ground = Settings::GROUND_SHADOWS;
+    renderer.lookAt(osg::Vec3d(0, -4, 4) * scale + place, osg::Vec3d(0, 0.3, 0) * scale + place);
+    if (parallel)
+        renderer.viewer().getCamera()->setProjectionMatrixAsOrtho(-2 * scale, 2 * scale, -2 * scale, 2 * scale, 0, 9 * scale);
+    const Picture p = renderer.render(lit);
+    const Picture map = without(*lit, renderer);
+    int shaded = 0;
+    for (int y = 0; y < p.height; ++y)
+        for (int x = 0; x < p.width; ++x) {
+            EXPECT_TRUE(std::isfinite(p.color(x, y)[0]) && p.color(x, y)[0] >= 0.0f) << x << ", " << y;
+            shaded += p.color(x, y)[1] < 0.6f * map.color(x, y)[1];
+        }
+    return shaded;
+}
+
+TEST(ShadowCatcher, TheGroundIsTheSameAtAnySizeAndPlace)
+{
+    SceneRenderer renderer(64, 64);
+    for (const bool parallel : {false, true}) {
+        const int expected = shadedPixels(renderer, 1.0, osg::Vec3d(), parallel);
+        EXPECT_GT(expected, 60);
+        const std::pair<double, osg::Vec3d> others[] = {
+            {1e-5, osg::Vec3d()}, {1e5, osg::Vec3d()}, {10.0, osg::Vec3d(3e6, -4e6, 4e6)}, {1.0, osg::Vec3d(0, 0, -1e4)}};
+        for (const auto& [scale, place] : others)
+            EXPECT_NEAR(shadedPixels(renderer, scale, place, parallel), expected, 0.05 * expected + 2) << scale << parallel;
+    }
+}
+
+TEST(ShadowCatcher, AGroundBelowNothingIsNotThere)
+{
+    SceneRenderer renderer(16, 16);
+    lookAtFloor(renderer);
+    const auto picture = [&](osg::Node* node) {
+        const osg::ref_ptr<LitScene> lit = outdoors();
+        if (node) lit->addChild(node);
+        lit->getSettings()->ground = Settings::GROUND_SHADOWS;
+        const Picture p = renderer.render(lit, 2);
+        EXPECT_LT(largestShare(p, without(*lit, renderer), [](int, int) { return true; }), 1e-6);
+        return p;
+    };
+    picture(nullptr);
+    picture(new osg::Group);
+    const osg::ref_ptr<osg::Geode> none = boxOn(0.0);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (auto& v : static_cast<osg::Vec3Array&>(*none->getDrawable(0)->asGeometry()->getVertexArray())) v.set(0, 0, float(nan));
+    none->getDrawable(0)->dirtyBound();
+    picture(none);
+    const osg::ref_ptr<osg::Geode> point = boxOn(0.0);
+    for (auto& v : static_cast<osg::Vec3Array&>(*point->getDrawable(0)->asGeometry()->getVertexArray())) v.set(0, 0, 0);
+    point->getDrawable(0)->dirtyBound();
+    picture(point);
 }
 
 }  // namespace ShadowCatcher_test

@@ -85,9 +85,10 @@ class OSGENVLIGHT_EXPORT FrameResources : public osg::Referenced
     osg::StateSet& causticState(const Caustics& caustics);
     /** Uniforms of pass/indirect.frag. */
     osg::StateSet& probeState(double share);
-    /** Uniforms of pass/fog.glsl. radiance: of the fog, as what is typed is shown. */
-    /** @param camera  of the map, in eye space, and the distance from where on the map is infinitely far */
+    /** Uniforms of pass/catchers.glsl. camera: of the map, in eye space, and the distance from where on the map is infinitely
+     * far. */
     osg::StateSet& groundState(const osg::Vec4f& camera);
+    /** Uniforms of pass/fog.glsl. radiance: of the fog, as what is typed is shown. */
     osg::StateSet& fogState(const FogValues& fog, const osg::Vec3f& radiance);
     /** Uniforms of pass/temporal.frag: where the frame before looked from. */
     osg::StateSet& historyState(const osg::Matrixd& formerEyeFromEye, const osg::Matrixd& formerProjection);

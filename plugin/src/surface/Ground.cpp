@@ -42,9 +42,9 @@ double lowestOf(const Caster& caster)
     return caster.bound.zMin();
 }
 
-double lowestOf(const std::vector<Caster>& casters)
+// As low as these, if they are lower than what is known.
+double lowestOf(const std::vector<Caster>& casters, double lowest)
 {
-    double lowest = infinity;
     for (const Caster& caster : casters)
         if (caster.bound.valid() && caster.bound.zMin() < lowest) lowest = std::min(lowest, lowestOf(caster));
     return lowest;
@@ -66,7 +66,7 @@ osg::ref_ptr<osg::Geometry> makeRectangle(double halfSide)
     geometry->setNormalArray(new osg::Vec3Array(1u, &up), osg::Array::BIND_OVERALL);
     geometry->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLE_STRIP, 0, 4));
     geometry->setUseDisplayList(false);
-    geometry->setUseVertexBufferObjects(true);
+    geometry->setUseVertexBufferObjects(false);  // it leaves nothing in a context
     geometry->setComputeBoundingBoxCallback(new NoBounds);
     geometry->setCullingActive(false);
     osg::StateSet& state = *geometry->getOrCreateStateSet();
@@ -107,17 +107,15 @@ void Ground::update(const CasterList& casters)
 {
     if (casters.version == _version && _version > 0) return;
     _version = casters.version;
-    const double lowest = lowestOf(casters.all), radius = 0.5 * diagonal(casters.bound);
-    if (!casters.bound.valid() || !std::isfinite(lowest) || !(radius > 0.0)) return;
-    const bool wider = !(sideOverRadius * radius <= _halfSide);
+    _lowest = lowestOf(casters.all, _lowest);
+    const double radius = 0.5 * diagonal(casters.bound);
+    if (!casters.bound.valid() || !std::isfinite(_lowest) || !(radius > 0.0)) return;
     _radius = std::max(_radius, radius);
     const osg::Vec3d center = casters.bound.center();
-    const double height = lowest - gapOverRadius * _radius;
-    const bool lower = !_geometry || height < _origin.z();
     const bool away = (osg::Vec2d(center.x(), center.y()) - osg::Vec2d(_origin.x(), _origin.y())).length() > _radius;
-    if (!lower && !wider && !away) return;
-    _origin = osg::Vec3d(center.x(), center.y(), lower ? height : _origin.z());
-    if (!wider) return;
+    if (!_geometry || away) _origin = center;
+    _origin.z() = _lowest - gapOverRadius * _radius;
+    if (sideOverRadius * _radius <= _halfSide) return;
     _halfSide = 1.25 * sideOverRadius * _radius;  // what grows does not make another one in every frame
     _geometry = makeRectangle(_halfSide);
 }

@@ -5,6 +5,8 @@
 
 #include <osgUtil/CullVisitor>
 
+#include <limits>
+
 namespace osgEnvLight
 {
 
@@ -29,8 +31,9 @@ class OSGENVLIGHT_EXPORT Ground
     void cull(osgUtil::CullVisitor& cv, const osg::Matrixd& worldFromEye) const;
 
   private:
-    osg::ref_ptr<osg::Geometry> _geometry;  // another one when it moves: a draw thread may still draw the last one
+    osg::ref_ptr<osg::Geometry> _geometry;  // another one when it grows: a draw thread may still draw the last one
     osg::Vec3d _origin;
+    double _lowest = std::numeric_limits<double>::infinity();  // that the scene has been
     double _halfSide = 0.0;
     double _radius = 0.0;   // of what is above it
     unsigned _version = 0;  // of the casters

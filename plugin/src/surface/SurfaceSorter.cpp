@@ -190,7 +190,8 @@ class SurfaceSort
     SurfaceSorter::Variation variationOf(const SurfaceState& state) const
     {
         using S = SurfaceSorter;
-        if (state.shadowCatcher()) return {S::ENVLIGHT_CATCHER | (state.clipped() ? uint64_t(S::CLIP_PLANES) : 0u), {}};
+        if (state.shadowCatcher())
+            return {S::ENVLIGHT_CATCHER | S::NO_TEXTURE | (state.clipped() ? uint64_t(S::CLIP_PLANES) : 0u), {}};
         uint64_t bits = textureBits(state);
         if (state.paintedReflection()) bits |= S::PAINTED_REFLECTION;
         if (state.paintedHighlight()) bits |= S::TEXTURE_ADD;
