@@ -222,8 +222,9 @@ void readBackground(PassBuilder& b, FrameContext& c)
     if (c.background == Settings::BACKGROUND_ON) b.bind(c.textures->latlong(), "latlongMap");
 }
 
-// What stands on the map's ground would be drawn out over ours. It begins a few degrees below the horizon.
-const double heightsToFar = 16.0;
+// Distance, in heights of the map's camera, at which the map is infinitely far; to a quarter of it, it lies on the ground. What stands
+// up in the map is drawn out over the ground: on a roof and on a quay, streaks are seen with 16, and lines bend near the scene with 7.
+const double heightsToFar = 10.0;
 
 void readCatchers(PassBuilder& b, FrameContext& c)
 {
