@@ -31,7 +31,7 @@ vec4 shownBehind(ivec2 p, vec3 light)
     vec3 alone = diffuseTerm(p) + sunDiffuse(p);
     vec3 share = mix(vec3(1.0), light / max(alone, vec3(1e-20)), greaterThan(alone, vec3(0.0)));
 #ifdef BACKGROUND
-    return vec4(background(directionBehind(p)) * share, 1.0);
+    return vec4(background(directionBehind(p)) * share, 0.0);  // as all of the map that is seen
 #else
     float left = min(luminance(share), 1.0);
 #ifndef VEIL_LINEAR
@@ -42,7 +42,7 @@ vec4 shownBehind(ivec2 p, vec3 light)
 }
 #endif
 
-// Of the terms' sum. Alpha: coverage.
+// Of the terms' sum. Alpha: coverage of what is behind.
 vec4 surfacePicture(ivec2 p, vec3 sum)
 {
 #ifdef HAS_CATCHERS

@@ -2,14 +2,19 @@
 // SPDX-License-Identifier: MIT
 // The picture, averaged over the frames before: each pixel's surface is looked up where the picture before showed it, and what
 // is found there is bounded by what is about the pixel now.
-#pragma import_defines(HISTORY, ACCUMULATED, MOTION)
+#pragma import_defines(HISTORY, ACCUMULATED, MOTION, HAS_CATCHERS)
 
+#include "lib/brdfs.glsl"
 #include "lib/colorbox.glsl"
 #include "lib/depth.glsl"
 #include "pass/history.glsl"
 
 uniform sampler2D displayMap;  // this frame's, in display values
 uniform sampler2D depthMap;
+#ifdef HAS_CATCHERS
+uniform sampler2D normalMap;
+uniform sampler2D specularMap;
+#endif
 uniform mat4 projection;
 uniform mat4 inverseProjection;
 uniform vec2 viewportSize;
@@ -40,6 +45,16 @@ const float HISTORY_TOLERANCE = 0.02;    // of a distance: nearer ones are of on
 vec2 pixelNdc(ivec2 p)
 {
     return (vec2(p) + 0.5) / viewportSize * 2.0 - 1.0;
+}
+
+// 1 where a shadow catcher shows the infinitely far map: that moves as what is behind the scene does, not as the catcher.
+float depthAt(ivec2 p)
+{
+#ifdef HAS_CATCHERS
+    uint kind = uint(texelFetch(specularMap, p, 0).a * 65535.0 + 0.5);
+    if (isCatcher(kindBrdf(kind), texelFetch(normalMap, p, 0).a)) return 1.0;
+#endif
+    return texelFetch(depthMap, p, 0).r;
 }
 
 // What is behind the scene lies at infinity where rays part.
@@ -75,7 +90,7 @@ Neighbours neighboursOf(ivec2 p)
             sum += c;
             squares += c * c;
             n.coverage = vec2(min(n.coverage.x, picture.a), max(n.coverage.y, picture.a));
-            float depth = texelFetch(depthMap, q, 0).r;
+            float depth = depthAt(q);
             if (depth < n.depth.x) n.nearest = q;
             n.depth = vec2(min(n.depth.x, depth), max(n.depth.y, depth));
         }
@@ -136,7 +151,7 @@ void main()
 {
     ivec2 p = ivec2(gl_FragCoord.xy);
     shown = texelFetch(displayMap, p, 0);
-    float depth = texelFetch(depthMap, p, 0).r;
+    float depth = depthAt(p);
     int age = 1;
 #ifdef ACCUMULATED
 #ifdef HISTORY

@@ -267,6 +267,40 @@ TEST(ShadowCatcher, TheMapMayLieOnTheGround)
             for (int k = 0; k < 2; ++k) EXPECT_NEAR(p.color(x, y)[k], p.color(x, y + 1)[k], 0.02f) << x << ", " << y;
 }
 
+// What is averaged over frames is looked up where the picture before showed the map, not where it showed the ground.
+TEST(ShadowCatcher, TheFarMapIsAveragedAsWithoutAGround)
+{
+    SceneRenderer renderer(96, 96);
+    const auto stripes = [](const osg::Vec3d& d) {
+        const double level = 0.5 + 0.4 * std::sin(60.0 * std::atan2(d.y(), d.x())) * std::sin(60.0 * d.z());
+        return osg::Vec3d(level, level, level);
+    };
+    const auto lastOfWalk = [&](int ground) {
+        const osg::ref_ptr<LitScene> lit = makeLit(makeMap(1024, 512, stripes).get());
+        lit->addChild(makeSphere(osg::Vec3d(0, 0, 0.05), 0.05, 16));
+        Settings& s = *lit->getSettings();
+        s.ground = ground;
+        s.bounce = Settings::BOUNCE_OFF;
+        s.output = Settings::DISPLAY;
+        s.exposureBase = Settings::EXPOSURE_NONE;
+        s.antialias = Settings::ANTIALIAS_TEMPORAL;
+        Picture p;
+        for (int frame = 0; frame < 6; ++frame) {
+            renderer.lookAt(osg::Vec3d(0.06 * frame, -2.0, 0.8 + 0.02 * frame), osg::Vec3d(0.03 * frame, 0, 0.1));
+            p = renderer.render(lit);
+        }
+        return p;
+    };
+    const Picture with = lastOfWalk(Settings::GROUND_SHADOWS), without = lastOfWalk(Settings::GROUND_OFF);
+    const osg::Vec2d ball = renderer.pixelOf(osg::Vec3d(0, 0, 0.05));
+    double most = 0.0;
+    for (int y = 0; y < 96; ++y)
+        for (int x = 0; x < 96; ++x)
+            if ((osg::Vec2d(x, y) - ball).length() > 20.0)
+                most = std::max(most, std::abs(double(with.color(x, y)[1] - without.color(x, y)[1])));
+    EXPECT_LT(most, 2.5 / 255.0);  // measured: 2, the ball's shadow; 44 where the ground was
+}
+
 // Its bounds reach behind the eye. A near plane that went by them would leave the depth buffer few steps for the scene.
 TEST(ShadowCatcher, TheGroundLeavesTheNearPlaneToTheScene)
 {

@@ -222,17 +222,22 @@ void readBackground(PassBuilder& b, FrameContext& c)
     if (c.background == Settings::BACKGROUND_ON) b.bind(c.textures->latlong(), "latlongMap");
 }
 
-// Distance, in heights of the map's camera, at which the map is infinitely far; to a quarter of it, it lies on the ground. What stands
-// up in the map is drawn out over the ground: on a roof and on a quay, streaks are seen with 16, and lines bend near the scene with 7.
+bool isMapOnGround(const FrameContext& c)
+{
+    return c.ground && c.settings.groundMapHeight > 0.0f && c.background != Settings::BACKGROUND_OFF;
+}
+
+// Distance, in heights of the map's camera, at which the map is infinitely far; to a quarter of it, it lies on the ground. What
+// stands up in the map is drawn out over the ground: on a roof and on a quay, streaks are seen with 16, and lines bend near the
+// scene with 7.
 const double heightsToFar = 10.0;
 
 void readCatchers(PassBuilder& b, FrameContext& c)
 {
     if (c.facts.surfaces.catchers == 0) return;
     b.define("HAS_CATCHERS");
-    const bool veils = c.background == Settings::BACKGROUND_OFF;
-    b.define("VEIL_LINEAR", veils && c.settings.output == Settings::LINEAR);
-    if (veils || !c.ground || !(c.settings.groundMapHeight > 0.0f)) return;
+    b.define("VEIL_LINEAR", c.background == Settings::BACKGROUND_OFF && c.settings.output == Settings::LINEAR);
+    if (!isMapOnGround(c)) return;
     const double height = double(c.settings.groundMapHeight);
     const double reach = std::min(heightsToFar * height, c.ground->halfSide());
     const osg::Vec3d camera = c.ground->origin() + osg::Vec3d(0, 0, height);

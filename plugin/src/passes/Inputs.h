@@ -91,6 +91,8 @@ bool lobesShowScene(const FrameContext& context);
 void readTerms(PassBuilder& builder, FrameContext& context);
 /** What is behind the scene. */
 void readBackground(PassBuilder& builder, FrameContext& context);
+/** Whether the map lies on the ground of Settings::ground; else it is infinitely far. */
+bool isMapOnGround(const FrameContext& context);
 /** What pass/catchers.glsl reads besides. */
 void readCatchers(PassBuilder& builder, FrameContext& context);
 /** What pass/picture.glsl reads: the terms, and what is behind the scene. */

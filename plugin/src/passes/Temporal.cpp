@@ -31,6 +31,11 @@ void TemporalPass::setup(PassBuilder& b, FrameContext& c)
     _side = 1 - _side;
     b.read("display", "displayMap");
     b.read("depth", "depthMap");
+    if (c.facts.surfaces.catchers > 0 && c.background != Settings::BACKGROUND_OFF && !isMapOnGround(c)) {
+        b.define("HAS_CATCHERS");
+        b.read("normal", "normalMap");
+        b.read("specular properties", "specularMap");
+    }
     b.define("ACCUMULATED", c.hasFirstFrame());
     if (_continues) {
         b.define("HISTORY");
