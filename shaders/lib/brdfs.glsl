@@ -22,10 +22,10 @@ bool isUnlit(int brdf, float roughness)
     return brdf == BRDF_LAMBERT && roughness == UNLIT_ROUGHNESS;
 }
 
-const float CATCHER_ROUGHNESS = 0.5;  // another
-const float CATCHER_ALBEDO = 0.5;     // for the light that it sends to others
+const float CATCHER_ROUGHNESS = 0.5;  // the mark of a shadow catcher; the G-buffer rounds it
+const float CATCHER_ALBEDO = 0.5;     // a catcher shows a ratio of its terms, in which this cancels
 
-// A shadow catcher shows what is behind it, as bright as the light on it is beside what the map alone would send there.
+// A shadow catcher shows the map behind it times the light on it, over the light that the map alone would send there.
 bool isCatcher(int brdf, float roughness)
 {
     return brdf == BRDF_LAMBERT && abs(roughness - CATCHER_ROUGHNESS) < 0.1;

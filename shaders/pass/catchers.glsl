@@ -24,14 +24,14 @@ vec3 directionBehind(ivec2 p)
     return mapFromEye * ray;
 }
 
-// What a shadow catcher shows of the map behind it. light: what it reflects, beside which is what it would reflect of the map if the
-// scene were empty. Without the map a black veil is over what the host has behind.
+// What a shadow catcher shows. light: the sum of what it reflects. In an empty scene it would reflect `alone`. The ratio of the two
+// multiplies the map behind it. Where no map is shown, a black veil of that strength covers what the host has drawn.
 vec4 shownBehind(ivec2 p, vec3 light)
 {
     vec3 alone = diffuseTerm(p) + sunDiffuse(p);
     vec3 share = mix(vec3(1.0), light / max(alone, vec3(1e-20)), greaterThan(alone, vec3(0.0)));
 #ifdef BACKGROUND
-    return vec4(background(directionBehind(p)) * share, 0.0);  // as all of the map that is seen
+    return vec4(background(directionBehind(p)) * share, 0.0);  // the coverage of the map
 #else
     float left = min(luminance(share), 1.0);
 #ifndef VEIL_LINEAR
@@ -42,11 +42,11 @@ vec4 shownBehind(ivec2 p, vec3 light)
 }
 #endif
 
-// Of the terms' sum. Alpha: coverage of what is behind.
+// sum: of the surface's terms. Alpha: coverage of what is behind the scene.
 vec4 surfacePicture(ivec2 p, vec3 sum)
 {
 #ifdef HAS_CATCHERS
-    if (isCatcher(kindBrdf(pixelKind(p)), texelFetch(normalMap, p, 0).a)) return shownBehind(p, sum);
+    if (isShadowCatcher(p)) return shownBehind(p, sum);
 #endif
     return vec4(sum, 1.0);
 }

@@ -116,6 +116,11 @@ uint pixelKind(ivec2 p)
     return uint(texelFetch(specularMap, p, 0).a * 65535.0 + 0.5);
 }
 
+bool isShadowCatcher(ivec2 p)
+{
+    return isCatcher(kindBrdf(pixelKind(p)), texelFetch(normalMap, p, 0).a);
+}
+
 #ifdef HAS_COATS
 bool isCoated(ivec2 p)
 {

@@ -1,7 +1,7 @@
 #version 330 compatibility
 // SPDX-License-Identifier: MIT
-// First step to the exposure: how much light the surfaces in view receive. Pixels are spread evenly over the picture; each texel is the sum
-// of meteredLight() over those of its part.
+// First step to the exposure: how much light the surfaces in view receive. The picture is divided into parts. Each texel sums
+// meteredLight() over a few pixels that are spread evenly over its part.
 
 #pragma import_defines(HAS_CATCHERS)
 
@@ -23,11 +23,11 @@ float reflectance(ivec2 p)
     return luminance(coated ? diffuse : diffuse + texelFetch(specularMap, p, 0).rgb);
 }
 
-// What of the picture is no surface that light is metered on.
+// Light is not metered on shadow catchers, the background and area lights' own surfaces.
 bool isLeftOut(ivec2 p)
 {
 #ifdef HAS_CATCHERS
-    if (isCatcher(kindBrdf(pixelKind(p)), texelFetch(normalMap, p, 0).a)) return true;
+    if (isShadowCatcher(p)) return true;
 #endif
     return isBackground(p) || isAreaLight(emissionMap, p);
 }

@@ -232,8 +232,8 @@ TEST(ShadowCatcher, TheGroundIsAsLowAsTheSceneHasBeen)
     EXPECT_FALSE(showsGround(-1.55));
 }
 
-// A place of the ground shows what the map's camera saw there, from wherever one looks. Far off, the map is infinitely far, and
-// the ground's end is not seen.
+// Each place of the ground shows what the map's camera saw there, wherever the eye is. Further off the map is infinitely far. The
+// end of the ground is not seen.
 TEST(ShadowCatcher, TheMapMayLieOnTheGround)
 {
     SceneRenderer renderer(160, 160);
@@ -358,25 +358,24 @@ TEST(ShadowCatcher, AGroundBelowNothingIsNotThere)
 {
     SceneRenderer renderer(16, 16);
     lookAtFloor(renderer);
-    const auto picture = [&](osg::Node* node) {
+    const auto expectNoGround = [&](osg::Node* node) {
         const osg::ref_ptr<LitScene> lit = outdoors();
         if (node) lit->addChild(node);
         lit->getSettings()->ground = Settings::GROUND_SHADOWS;
         const Picture p = renderer.render(lit, 2);
         EXPECT_LT(largestShare(p, without(*lit, renderer), [](int, int) { return true; }), 1e-6);
-        return p;
     };
-    picture(nullptr);
-    picture(new osg::Group);
+    expectNoGround(nullptr);
+    expectNoGround(new osg::Group);
     const osg::ref_ptr<osg::Geode> none = boxOn(0.0);
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (auto& v : static_cast<osg::Vec3Array&>(*none->getDrawable(0)->asGeometry()->getVertexArray())) v.set(0, 0, float(nan));
     none->getDrawable(0)->dirtyBound();
-    picture(none);
+    expectNoGround(none);
     const osg::ref_ptr<osg::Geode> point = boxOn(0.0);
     for (auto& v : static_cast<osg::Vec3Array&>(*point->getDrawable(0)->asGeometry()->getVertexArray())) v.set(0, 0, 0);
     point->getDrawable(0)->dirtyBound();
-    picture(point);
+    expectNoGround(point);
 }
 
 }  // namespace ShadowCatcher_test

@@ -55,7 +55,7 @@ TEST(sunshadow, ATexelWithoutTheReceiversSurfaceSaysNothing)
         EXPECT_LT(table.blocker({across, 16.3}, {0.0, 0.0}, {9.9, 16.4}), 0.0) << across;
 }
 
-// A ground far below the scene, whose map shows it nowhere: the scene alone hides the sun, a ray that leaves the map is free.
+// The map shows a table alone. A receiver lies far below it. The table hides the sun; where the map shows nothing, nothing does.
 TEST(sunshadow, BelowAllThatAMapShowsWhatItShowsHides)
 {
     const Heights table([](int x, int y) { return x < 10 && y < 32 ? 20.0 : SUN_NOTHING * side; });

@@ -175,7 +175,7 @@ void findCasters(FrameContext& c, ViewData& data, osg::Group& node, SurfaceFacts
                  const std::function<void(const std::string&)>& report)
 {
     if (asksForCasters(c, sunny) || mayHaveLamps(c, data)) {
-        if (!data.ground.geometry()) collectCasters(c, data, node, facts);  // else placeGround() has done so
+        if (!c.ground) collectCasters(c, data, node, facts);  // else placeGround() has done so
         addMeshLights(c, data, report);
     } else {
         data.meshLights.clear();

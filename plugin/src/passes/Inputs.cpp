@@ -227,9 +227,9 @@ bool isMapOnGround(const FrameContext& c)
     return c.ground && c.settings.groundMapHeight > 0.0f && c.background != Settings::BACKGROUND_OFF;
 }
 
-// Distance, in heights of the map's camera, at which the map is infinitely far; to a quarter of it, it lies on the ground. What
-// stands up in the map is drawn out over the ground: on a roof and on a quay, streaks are seen with 16, and lines bend near the
-// scene with 7.
+// The map is infinitely far from so many heights of its camera on. It lies on the ground up to a quarter of that distance. What
+// stands up in the map is stretched over the ground: with 16, streaks are seen on a roof and on a quay. With 7, lines bend near
+// the scene.
 const double heightsToFar = 10.0;
 
 void readCatchers(PassBuilder& b, FrameContext& c)

@@ -24,7 +24,7 @@ void DiffusePass::setup(PassBuilder& b, FrameContext& c)
     if (!c.decisions.sunDiffuse) return;
     b.define("HAS_SUNS");
     readSuns(b, c);
-    // A picture shows only what shadows leave of them, but for shadow catchers.
+    // A picture shows only what shadows leave of them. Shadow catchers divide by the whole.
     const bool isShaded = readSunVisibility(b);
     const bool keepsUnshaded = !isShaded || c.settings.view != Settings::BEAUTY || c.facts.surfaces.catchers > 0;
     b.define("UNSHADED_SUNS", keepsUnshaded);
